@@ -1,0 +1,28 @@
+/* A validated copy of a SurfaceDesc: what the rest of nurbs/ works on. */
+#ifndef TRIMRAY_SURFACE_H
+#define TRIMRAY_SURFACE_H
+
+#include "nurbs/nurbs.h"
+#include "nurbs/trim_tree.h"
+#include "render/box.h"
+
+typedef struct {
+    int k_u, k_v;                    /* orders */
+    int n_u, n_v;                    /* control points along u and v */
+    const double *tau_u, *tau_v;     /* knots: n_u + k_u, n_v + k_v */
+    const Vec4 *p;                   /* homogeneous {wx, wy, wz, w}, or {x, y, z, 1} where is_polynomial */
+    bool is_polynomial;              /* all weights are equal */
+    double u0, u1, v0, v1;           /* the domain */
+    Box box;                         /* of the control points that matter in the domain */
+    double size;                     /* diagonal of the box of the control points */
+    const TrimTree *trims;           /* NULL: the whole domain is kept */
+} Surface;
+
+/* Copies and validates; NULL: *error says why. */
+Surface *surface_new(Arena *a, const SurfaceDesc *desc, NurbsError *error,
+                     NurbsWarning *warnings, int max_warnings, int *n_warnings);
+
+/* Reference evaluation by basis functions (basis.c). */
+void surface_point(const Surface *s, double u, double v, Vec3 *point, Vec3 *s_u, Vec3 *s_v);
+
+#endif

@@ -1,0 +1,31 @@
+/* A bounding volume hierarchy over boxes. It knows neither shapes nor what a ray is for: scene, unions, meshes and NURBS
+ * leaves share it. */
+#ifndef TRIMRAY_BVH_H
+#define TRIMRAY_BVH_H
+
+#include "render/arena.h"
+#include "render/box.h"
+#include "render/ray.h"
+#include "render/shape.h"
+
+typedef enum {
+    BVH_MEDIAN,   /* [MCFS00] section 2.2: sort along the axis of greatest extent, split the boxes in half */
+    BVH_SAH       /* binned surface area heuristic */
+} BvhSplit;
+
+typedef struct Bvh Bvh;
+
+/* Builds a tree over n boxes (n may be 0; empty boxes are left out), deterministically. Infinite boxes are not allowed:
+ * keep unbounded things outside. Leaves hold one box with BVH_MEDIAN, up to 4 with BVH_SAH. */
+Bvh *bvh_build(Arena *a, const Box *boxes, uint32_t n, BvhSplit split);
+Box bvh_bounds(const Bvh *b);
+uint32_t bvh_node_count(const Bvh *b);
+
+/* Called for item `i` (an index into the boxes given to bvh_build) whose box the ray meets nearer than *t_max. It may lower
+ * *t_max. Returns true to end the traversal (an any-hit query that has its answer). */
+typedef bool (*BvhVisit)(void *context, uint32_t i, const Ray *r, double *t_max, Trace *t);
+
+/* Visits items nearest box first, culled by *t_max as it shrinks; counts boxes into t. Returns whether a visit ended it. */
+bool bvh_traverse(const Bvh *b, const Ray *r, double *t_max, BvhVisit visit, void *context, Trace *t);
+
+#endif

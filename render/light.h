@@ -1,0 +1,26 @@
+/* Light sources: POV-Ray's kinds, povray-facts section 5. */
+#ifndef TRIMRAY_LIGHT_H
+#define TRIMRAY_LIGHT_H
+
+#include "render/color.h"
+#include "render/vec.h"
+
+#include <stdbool.h>
+
+typedef enum { LIGHT_POINT, LIGHT_SPOT, LIGHT_CYLINDER } LightKind;
+
+typedef struct {
+    LightKind kind;
+    Vec3 position, point_at;                /* point_at: <0,0,1> where not given */
+    Rgb color;
+    bool is_parallel, is_shadowless;
+    double radius, falloff, tightness;      /* spot: degrees, 30 45 0; cylinder: lengths, .75 1 0 */
+    double fade_distance, fade_power;       /* both > 0: in force */
+    bool is_area, area_circular, area_orient, area_illumination;
+    Vec3 area_u, area_v;
+    int area_n_u, area_n_v, area_adaptive;  /* adaptive: 100 where not given */
+} Light;
+
+Light light_default(LightKind kind);
+
+#endif

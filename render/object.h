@@ -1,0 +1,49 @@
+/* A shape in its place with its appearance: the one node that carries transformations, textures and flags. Primitives know
+ * nothing of either; geometry under several objects is shared, never copied. */
+#ifndef TRIMRAY_OBJECT_H
+#define TRIMRAY_OBJECT_H
+
+#include "render/shape.h"
+#include "render/texture.h"
+#include "render/xform.h"
+
+struct Object {
+    Shape shape;                   /* an object is a shape */
+    Shape *child;                  /* shared */
+    Xform placement;               /* from the child's space to the space outside */
+    bool is_placed;                /* placement is not the identity */
+    const Texture *texture;        /* of what lies below without a texture of its own; NULL: none given here */
+    Xform texture_space;           /* from the texture's space to the space outside: the transformations written after it */
+    const Texture *interior_texture;   /* seen from inside; NULL: `texture` there too */
+    const Interior *interior;      /* NULL: none given here */
+    bool has_uv_mapping, no_shadow, no_image, no_reflection, is_inverse, is_hollow, double_illuminate;
+};
+
+/* A plain object round a shape, with identity transformations. Fill in the rest before the first ray. If the tree below
+ * would become deeper than HIT_MAX_OBJECTS, placements are distributed over the parts of the compounds below (nodes are
+ * copied, geometry is shared). */
+Object *object_new(Arena *a, Shape *child);
+
+/* A copy of o, to be modified, as `object { O ... }` does; the geometry is shared. */
+Object *object_copy(Arena *a, const Object *o);
+
+/* Applies a transformation written after everything so far: moves the shape and its texture. */
+void object_transform(Object *o, const Xform *x);
+
+/* Is s an Object? */
+bool shape_is_object(const Shape *s);
+
+/* The appearance of a hit: the innermost object on the way that has what is asked for. */
+const Object *hit_textured_object(const Hit *h);     /* NULL: no texture anywhere: the default texture */
+const Interior *hit_interior(const Hit *h);          /* NULL: none */
+const Object *hit_innermost(const Hit *h);
+bool hit_has_flag_no_shadow(const Hit *h);
+
+/* The point where the texture of hit_textured_object is evaluated, from the point in the world. */
+Vec3 hit_texture_point(const Hit *h, Vec3 world);
+
+/* The ray and the attributes through all placements: what the primitive says, in world space. The normals are unit, turned
+ * over for inverse objects, and not yet turned towards the viewer. */
+void hit_attributes(const Hit *h, const Ray *world, Attributes *out);
+
+#endif

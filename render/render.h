@@ -1,0 +1,33 @@
+/* The picture of a scene: tiles, threads, progress, interruption. */
+#ifndef TRIMRAY_RENDER_H
+#define TRIMRAY_RENDER_H
+
+#include "render/film.h"
+#include "render/scene.h"
+
+#include <stdio.h>
+
+typedef struct {
+    int width, height;          /* of the whole picture */
+    int x0, y0, x1, y1;         /* the part to render: [x0, x1) x [y0, y1) */
+    int n_threads;              /* 0: all cores */
+    int quality;                /* +Q: 0 to 11, default 9 */
+    bool measures_time;         /* fill Counters.nurbs_seconds */
+    FILE *progress;             /* NULL: silent */
+} RenderOptions;
+
+typedef struct {
+    Counters counters;          /* all threads together */
+    double trace_seconds;
+    int n_threads;
+    bool interrupted;           /* what was finished is in the film */
+} RenderResult;
+
+RenderOptions render_options_default(int width, int height);
+
+/* Fills the film. The same bytes for every number of threads. */
+RenderResult render_scene(Scene *s, const RenderOptions *o, Film *film);
+
+void render_interrupt(void);    /* from a signal handler: tiles in work are finished, no new ones begun */
+
+#endif

@@ -1,0 +1,64 @@
+/* The one interface to everything that a ray can hit. A new primitive is one file with one ShapeType; nothing else in
+ * render/ knows what shapes there are. */
+#ifndef TRIMRAY_SHAPE_H
+#define TRIMRAY_SHAPE_H
+
+#include "render/arena.h"
+#include "render/box.h"
+#include "render/ray.h"
+#include "render/stats.h"
+
+#include <stdatomic.h>
+#include <stdbool.h>
+
+/* What a thread carries while it traces. */
+typedef struct {
+    Arena *scratch;          /* with marks; empty between rays */
+    Counters counters;
+    bool is_shadow_ray;      /* set by whoever casts the ray: boxes are counted apart */
+    bool measures_time;      /* fill counters.nurbs_seconds: costs two clock reads a test */
+    uint64_t seed;           /* of this ray: depends only on (pixel, sample); see hash.h */
+} Trace;
+
+typedef struct HitList HitList;     /* all hits of a ray in order of t, for CSG */
+typedef struct MeshSink MeshSink;   /* receives triangles, for export */
+
+typedef struct {
+    const char *name;   /* the scene's word, and the key in --stats */
+    Box  (*bounds)    (const Shape *s);                                       /* contains every hit; pure; before prepare */
+    void (*prepare)   (Shape *s, Arena *own, Trace *t);   /* once, when a first ray reaches the bounds; NULL: nothing to do */
+    bool (*hit)       (const Shape *s, const Ray *r, Hit *best, Trace *t);    /* nearest in (r->t_min, best->t) */
+    bool (*blocks)    (const Shape *s, const Ray *r, double t_max, Trace *t); /* any in (r->t_min, t_max); NULL: by hit() */
+    int  (*all_hits)  (const Shape *s, const Ray *r, HitList *out, Trace *t); /* in order of t; NULL: hit() repeated */
+    bool (*inside)    (const Shape *s, Vec3 p);                               /* NULL: a surface without an inside */
+    void (*attributes)(const Shape *s, const Ray *r, const Hit *h, Attributes *out);  /* for the winner only */
+    bool (*tessellate)(const Shape *s, double chord_error, MeshSink *out);    /* NULL: not exportable */
+    void (*release)   (Shape *s);                                             /* NULL: the arenas have it all */
+} ShapeType;
+/* On a miss hit() returns false and has not touched *best. r->dir need not have length 1; t is in units of r->dir.
+ * attributes() gets the ray in the space of the shape, and h as hit() left it there. */
+
+/* Every shape begins with this; struct Sphere { Shape shape; ... }. */
+struct Shape {
+    const ShapeType *type;
+    uint32_t n_primitives;        /* counted for Hit.index: 1, or the sum over a compound's parts */
+    _Atomic int state;            /* SHAPE_RAW, being prepared, SHAPE_READY: see shape_prepare */
+    Arena *own;                   /* what prepare() filled; freed by shape_release */
+};
+enum { SHAPE_RAW, SHAPE_BUSY, SHAPE_READY };
+
+/* Fills the header of a new shape. A shape without prepare() is ready at once. */
+void shape_init(Shape *s, const ShapeType *type);
+
+/* Runs s->type->prepare exactly once, whichever thread comes first; the others wait. Its time goes to
+ * t->counters.prep_seconds, less that of shapes prepared within it. */
+void shape_prepare(Shape *s, Trace *t);
+bool shape_was_prepared(const Shape *s);       /* did any ray ever reach it? for --stats: what was left out */
+void shape_release(Shape *s);                  /* type->release, then the arena of prepare() */
+
+/* The calls through the table: prepare on first use. */
+static inline Box shape_bounds(const Shape *s) { return s->type->bounds(s); }
+bool shape_hit(const Shape *s, const Ray *r, Hit *best, Trace *t);
+bool shape_blocks(const Shape *s, const Ray *r, double t_max, Trace *t);
+
+#endif

@@ -1,0 +1,21 @@
+/* The constructors of all primitives and compounds. Each returns a shape in the arena, or NULL for input that describes
+ * none (zero radius where POV-Ray refuses it, ...); the parser says so with a place. */
+#ifndef TRIMRAY_SHAPES_H
+#define TRIMRAY_SHAPES_H
+
+#include "render/shape.h"
+
+Shape *sphere_new(Arena *a, Vec3 centre, double radius);
+Shape *plane_new(Arena *a, Vec3 normal, double distance);      /* n . p = d with n normalized; inside is below */
+Shape *box_shape_new(Arena *a, Vec3 corner, Vec3 other);       /* corners in any order */
+Shape *cylinder_new(Arena *a, Vec3 base, Vec3 cap, double radius, bool is_open);
+Shape *cone_new(Arena *a, Vec3 base, double base_radius, Vec3 cap, double cap_radius, bool is_open);
+Shape *disc_new(Arena *a, Vec3 centre, Vec3 normal, double radius, double hole_radius);
+Shape *torus_new(Arena *a, double major, double minor);        /* about the y axis */
+Shape *triangle_new(Arena *a, const Vec3 p[3]);
+Shape *smooth_triangle_new(Arena *a, const Vec3 p[3], const Vec3 n[3]);
+
+/* All surfaces of its parts, in their order; parts are borrowed. */
+Shape *union_new(Arena *a, Shape *const parts[], uint32_t n);
+
+#endif

@@ -1,0 +1,100 @@
+/* What a point looks like before light: textures are layers of a pigment with a finish. Values only; pigment.c, pattern.c
+ * and image_map.c evaluate them, shade.c lights them. Everything is immutable once built and may be shared. */
+#ifndef TRIMRAY_TEXTURE_H
+#define TRIMRAY_TEXTURE_H
+
+#include "render/arena.h"
+#include "render/color.h"
+#include "render/vec.h"
+#include "render/xform.h"
+
+#include <stdbool.h>
+
+/* ---- patterns: a number for each point ---- */
+
+typedef enum { WAVE_RAMP, WAVE_TRIANGLE, WAVE_SINE, WAVE_SCALLOP, WAVE_CUBIC, WAVE_POLY } Wave;
+
+typedef struct Pattern Pattern;
+typedef struct {
+    const char *name;                                /* the scene's word */
+    int n_blocks;                                    /* 0: value() is in [0, 1] and goes through waves and a map; checker 2,
+                                                        brick 2, hexagon 3: value() is the number of the block */
+    double (*value)(const Pattern *p, Vec3 point);
+} PatternType;
+
+struct Pattern {
+    const PatternType *type;
+    Vec3 direction;                                  /* gradient */
+    Vec3 brick_size;
+    float mortar;
+    double frequency, phase, exponent;               /* 1, 0, 1 where not given */
+    Wave wave;
+};
+
+const PatternType *pattern_type(const char *name);   /* NULL: no such pattern. One table, in pattern.c */
+Pattern pattern_make(const PatternType *type);       /* with POV-Ray's defaults */
+double pattern_value(const Pattern *p, Vec3 point);  /* with frequency, phase and wave applied (not for blocks) */
+
+/* ---- pigments ---- */
+
+typedef struct Pigment Pigment;
+typedef struct ImageMap ImageMap;                    /* image_map.h */
+typedef struct { float key; const Pigment *pigment; } PigmentEntry;
+
+typedef enum { PIGMENT_COLOR, PIGMENT_BLOCKS, PIGMENT_MAP, PIGMENT_IMAGE } PigmentKind;
+
+struct Pigment {
+    PigmentKind kind;
+    Color color;                                     /* PIGMENT_COLOR */
+    Pattern pattern;                                 /* PIGMENT_BLOCKS, PIGMENT_MAP */
+    const PigmentEntry *entries;                     /* BLOCKS: n_blocks of them; MAP: keys ascending */
+    int n_entries;
+    const ImageMap *image;                           /* PIGMENT_IMAGE */
+    bool uv_mapping;
+    bool is_moved;                                   /* space is not the identity */
+    Xform space;                                     /* from the pigment's space to the texture's */
+};
+
+Pigment pigment_solid(Color c);
+void pigment_transform(Pigment *p, const Xform *x);
+/* The colour at a point of the pigment's outer space; uv is used where uv_mapping asks for it. */
+Color pigment_color(const Pigment *p, Vec3 point, Vec2 uv);
+bool pigment_is_opaque(const Pigment *p);            /* no filter or transmit anywhere in it */
+
+/* ---- finishes: POV-Ray's names, meanings and defaults; povray-facts section 4 ---- */
+
+typedef struct {
+    Rgb ambient, emission;                           /* .1, 0 */
+    double diffuse, diffuse_back, brilliance;        /* .6, 0, 1 */
+    double phong, phong_size, specular, roughness;   /* 0, 40, 0, .05 */
+    double metallic;                                 /* 0 */
+    bool diffuse_albedo, phong_albedo, specular_albedo;
+    bool has_reflection;
+    Rgb reflection_min, reflection_max;
+    double reflection_falloff, reflection_exponent, reflection_metallic;   /* 1, 1, 0 */
+    bool reflection_fresnel, conserve_energy;
+} Finish;
+
+Finish finish_default(void);
+
+typedef struct { const Pigment *pigment; Finish finish; } Layer;
+
+struct Texture {
+    const Layer *layers;                             /* as written: the last is on top */
+    int n_layers;
+    bool uv_mapping;
+};
+typedef struct Texture Texture;
+
+/* A copy with x applied to every pigment in it. */
+Texture *texture_transformed(Arena *a, const Texture *t, const Xform *x);
+bool texture_is_opaque(const Texture *t);
+bool texture_reflects(const Texture *t);
+
+typedef struct Interior {
+    float ior, fade_distance, fade_power;            /* 1, 0, 0 */
+    float caustics;                                  /* 0 */
+    Color fade_color;                                /* black */
+} Interior;
+
+#endif

@@ -33,6 +33,7 @@ typedef struct {
     bool (*inside)    (const Shape *s, Vec3 p);                               /* NULL: a surface without an inside */
     void (*attributes)(const Shape *s, const Ray *r, const Hit *h, Attributes *out);  /* for the winner only */
     bool (*tessellate)(const Shape *s, double chord_error, MeshSink *out);    /* NULL: not exportable */
+    uint32_t (*parts) (const Shape *s, Shape *const **list);   /* what it is made of, in order; NULL: a primitive */
     void (*release)   (Shape *s);                                             /* NULL: the arenas have it all */
 } ShapeType;
 /* On a miss hit() returns false and has not touched *best. r->dir need not have length 1; t is in units of r->dir.

@@ -34,6 +34,7 @@ typedef struct {
     void (*attributes)(const Shape *s, const Ray *r, const Hit *h, Attributes *out);  /* for the winner only */
     bool (*tessellate)(const Shape *s, double chord_error, MeshSink *out);    /* NULL: not exportable */
     uint32_t (*parts) (const Shape *s, Shape *const **list);   /* what it is made of, in order; NULL: a primitive */
+    Shape *(*with_parts)(const Shape *s, Arena *a, Shape *const parts[]);     /* a compound like s, of as many other parts */
     void (*release)   (Shape *s);                                             /* NULL: the arenas have it all */
 } ShapeType;
 /* On a miss hit() returns false and has not touched *best. r->dir need not have length 1; t is in units of r->dir.
@@ -44,6 +45,7 @@ struct Shape {
     const ShapeType *type;
     uint32_t n_primitives;        /* counted for Hit.index: 1, or the sum over a compound's parts */
     _Atomic int state;            /* SHAPE_RAW, being prepared, SHAPE_READY: see shape_prepare */
+    uint32_t depth;               /* the most objects between it and a primitive below, itself included; 0: no object */
     Arena *own;                   /* what prepare() filled; freed by shape_release */
 };
 enum { SHAPE_RAW, SHAPE_BUSY, SHAPE_READY };

@@ -1,0 +1,79 @@
+/* What all shapes share: preparation on first use, and the calls through the table. */
+#include "render/shape.h"
+
+#include <pthread.h>
+
+void shape_init(Shape *s, const ShapeType *type)
+{
+    s->type = type;
+    s->n_primitives = 1;
+    s->depth = 0;
+    s->own = NULL;
+    atomic_init(&s->state, type->prepare ? SHAPE_RAW : SHAPE_READY);
+}
+
+/* One lock for all shapes: it is held for a few instructions, once or twice in a shape's life. Waiting cannot come round in a
+ * circle, because a shape only ever prepares what lies below it. */
+static pthread_mutex_t prepare_lock = PTHREAD_MUTEX_INITIALIZER;
+static pthread_cond_t prepare_done = PTHREAD_COND_INITIALIZER;
+
+/* Is the preparation ours to do? If another thread has it, waits until it is done. */
+static bool claim(Shape *s)
+{
+    pthread_mutex_lock(&prepare_lock);
+    bool is_ours = atomic_load(&s->state) == SHAPE_RAW;
+    if (is_ours) atomic_store(&s->state, SHAPE_BUSY);
+    while (!is_ours && atomic_load(&s->state) != SHAPE_READY) pthread_cond_wait(&prepare_done, &prepare_lock);
+    pthread_mutex_unlock(&prepare_lock);
+    return is_ours;
+}
+
+static void announce(Shape *s)
+{
+    pthread_mutex_lock(&prepare_lock);
+    atomic_store_explicit(&s->state, SHAPE_READY, memory_order_release);
+    pthread_cond_broadcast(&prepare_done);
+    pthread_mutex_unlock(&prepare_lock);
+}
+
+void shape_prepare(Shape *s, Trace *t)
+{
+    if (shape_was_prepared(s) || !claim(s)) return;
+    double begun = stats_now(), counted = t->counters.prep_seconds;
+    s->own = arena_new();
+    s->type->prepare(s, s->own, t);
+    double within = t->counters.prep_seconds - counted;
+    t->counters.prep_seconds += stats_now() - begun - within;
+    announce(s);
+}
+
+bool shape_was_prepared(const Shape *s) { return atomic_load_explicit(&s->state, memory_order_acquire) == SHAPE_READY; }
+
+void shape_release(Shape *s)
+{
+    if (s->type->release) s->type->release(s);
+    arena_free(s->own);
+    s->own = NULL;
+    if (s->type->prepare) atomic_store(&s->state, SHAPE_RAW);
+}
+
+/* Preparing is the one change that a shape makes after it was built, and it makes it under a lock: callers may keep their
+ * shapes const. */
+static void prepare_on_first_use(const Shape *s, Trace *t)
+{
+    if (!shape_was_prepared(s)) shape_prepare((Shape *)s, t);
+}
+
+bool shape_hit(const Shape *s, const Ray *r, Hit *best, Trace *t)
+{
+    prepare_on_first_use(s, t);
+    return s->type->hit(s, r, best, t);
+}
+
+bool shape_blocks(const Shape *s, const Ray *r, double t_max, Trace *t)
+{
+    prepare_on_first_use(s, t);
+    if (s->type->blocks) return s->type->blocks(s, r, t_max, t);
+    Hit nearest = { .t = t_max };
+    return s->type->hit(s, r, &nearest, t);
+}

@@ -1,0 +1,98 @@
+/* trimray SCENE.pov: the picture of a scene. */
+#include "render/commands.h"
+#include "render/files.h"
+#include "render/image.h"
+#include "render/render.h"
+
+#include <string.h>
+#include <strings.h>
+#include <unistd.h>
+
+/* Where the picture goes, as POV-Ray has it: beside the scene; into a folder that is named; .png where no extension is
+ * given. */
+static const char *picture_path(const Run *run)
+{
+    const char *name = run->options->output, *scene = run->path;
+    size_t n = strlen(scene);
+    if (n > 4 && strcasecmp(scene + n - 4, ".pov") == 0) n -= 4;
+    if (!name) return arena_printf(run->arena, "%.*s.png", (int)n, scene);
+    if (*name && name[strlen(name) - 1] == '/') {
+        const char *slash = strrchr(scene, '/');
+        size_t folder = slash ? (size_t)(slash + 1 - scene) : 0;
+        return arena_printf(run->arena, "%s%.*s.png", name, (int)(n - folder), scene + folder);
+    }
+    const char *slash = strrchr(name, '/'), *base = slash ? slash + 1 : name;
+    return strcmp(name, "-") == 0 || strchr(base, '.') || strncmp(name, "/dev/", 5) == 0 ? name
+         : arena_printf(run->arena, "%s.png", name);
+}
+
+static bool render_options(const Run *run, RenderOptions *out)
+{
+    const Options *o = run->options;
+    *out = render_options_default(o->width, o->height);
+    out->n_threads = run->n_threads;
+    out->quality = o->quality;
+    out->measures_time = o->stats != NULL;
+    out->progress = !o->is_quiet && isatty(STDERR_FILENO) ? stderr : NULL;
+    return options_crop(o->start_column, o->end_column, o->width, &out->x0, &out->x1)
+        && options_crop(o->start_row, o->end_row, o->height, &out->y0, &out->y1);
+}
+
+static void trace(Run *run, const RenderOptions *o, Film *film)
+{
+    interrupt_defer(render_interrupt);
+    RenderResult result = render_scene(run->scene, o, film);
+    interrupt_defer(NULL);
+    run->counters = result.counters;
+    run->trace_seconds = result.trace_seconds;
+    run->n_threads = result.n_threads;
+    run->was_interrupted = result.interrupted;
+    run->was_traced = true;
+}
+
+static int write_picture(Run *run, const char *path, const Film *film)
+{
+    const Scene *s = run->scene;
+    double begun = stats_now();
+    const char *wrong = image_write_png(path, film, s->gamma, s->gamma_power, run->options->bits, run->options->alpha);
+    run->write_seconds = stats_now() - begun;
+    return wrong ? run_fail(EXIT_FILE, "cannot write %s: %s", path, wrong) : EXIT_DONE;
+}
+
+static void tell(const Run *run, const char *path)
+{
+    const Options *o = run->options;
+    if (run->was_interrupted && !o->is_quiet) fputs("trimray: interrupted: the rest of the picture is black\n", stderr);
+    if (!o->is_verbose) return;
+    fprintf(stderr, "%s: %zu objects, %zu lights, %zu NURBS surfaces, %zu trims\n", run->path, run->summary.n_objects,
+            run->summary.n_lights, run->summary.n_nurbs, run->summary.n_trims);
+    fprintf(stderr, "%s: %d x %d, %d threads: read %.3f s, prepared %.3f s, traced %.3f s, written %.3f s; %.0f MB\n",
+            o->no_output ? "no file" : path, o->width, o->height, run->n_threads, run->parse_seconds,
+            run->prep_seconds + run->counters.prep_seconds, run->trace_seconds, run->write_seconds, stats_peak_mb());
+}
+
+/* Nothing is rendered that could not be written. */
+static int render(Run *run, const RenderOptions *o)
+{
+    const char *path = picture_path(run);
+    int reason = run->options->no_output ? 0 : file_cannot_write(path, run->arena);
+    if (reason) return run_fail(EXIT_FILE, "cannot write %s: %s", path, strerror(reason));
+    Film *film = film_new(o->width, o->height);
+    if (!film) return run_fail(EXIT_FILE, "no memory for a picture of %d x %d", o->width, o->height);
+    trace(run, o, film);
+    int status = run->options->no_output ? EXIT_DONE : write_picture(run, path, film);
+    film_free(film);
+    tell(run, path);
+    return status;
+}
+
+int cmd_render(const Options *options)
+{
+    Run run;
+    RenderOptions o;
+    int status = run_begin(&run, options);
+    if (status != EXIT_DONE) return status;
+    status = render_options(&run, &o) ? render(&run, &o)
+           : run_fail(EXIT_USAGE, "the part to render (+SC +EC +SR +ER) is empty or leaves the picture");
+    return run_end(&run, status);
+}

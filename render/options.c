@@ -1,0 +1,359 @@
+#include "render/options.h"
+
+#include <ctype.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+#define MAX_SIZE 1000000      /* of a picture's side: libpng's own limit */
+#define MAX_THREADS 1024
+#define MAX_NEWTON 1000       /* steps; 10 are plenty */
+
+typedef struct Row Row;
+
+/* What becomes of an option's value: it is stored in a field of Options, or a function takes it. */
+typedef enum {
+    KIND_TEXT, KIND_WHOLE, KIND_REAL,     /* need a value; numbers within [lo, hi] */
+    KIND_FLAG,                            /* +UA, -UA, Output_Alpha=on */
+    KIND_CUSTOM                           /* by `set` */
+} Kind;
+
+/* `value` is "" where none was given; is_on is false for the -X form and for Key=off. False: o->error says why. */
+typedef bool (*Setter)(Options *o, const Row *row, const char *value, bool is_on);
+
+struct Row {
+    const char *letters;             /* +W: POV-Ray's switch, in any case; NULL: none */
+    const char *key;                 /* Width=: in a POV-Ray INI file; NULL: none */
+    const char *name;                /* --width; NULL: none */
+    const char *argument;            /* how --help calls the value; NULL: it may be left out */
+    int commands;                    /* which commands know it */
+    const char *help;                /* NULL: not told */
+    Kind kind;
+    size_t field;                    /* offset in Options */
+    double lo, hi;
+    Setter set;
+};
+
+/* ---- values ---- */
+
+#define FAIL(o, ...) ((o)->error = arena_printf((o)->arena, __VA_ARGS__), false)
+
+static const char *title(Options *o, const Row *row)
+{
+    return row->name ? arena_printf(o->arena, "--%s", row->name)
+         : row->letters ? arena_printf(o->arena, "+%s", row->letters) : row->key;
+}
+
+static bool read_number(const char *text, double *out)
+{
+    char *end;
+    *out = strtod(text, &end);
+    return *text && !isspace((unsigned char)*text) && *end == '\0' && isfinite(*out);
+}
+
+static bool read_in_range(Options *o, const Row *row, const char *text, double *out)
+{
+    if (!read_number(text, out)) return FAIL(o, "%s: '%s' is not a number", title(o, row), text);
+    if (row->kind == KIND_WHOLE && *out != floor(*out))
+        return FAIL(o, "%s: '%s' is not a whole number", title(o, row), text);
+    if (*out >= row->lo && *out <= row->hi) return true;
+    if (isinf(row->hi)) return FAIL(o, "%s: %s is too small", title(o, row), text);
+    return FAIL(o, "%s: %s is not in the range %g to %.0f", title(o, row), text, row->lo, row->hi);
+}
+
+static bool set_value(Options *o, const Row *row, const char *value, bool is_on)
+{
+    void *field = (char *)o + row->field;
+    double number;
+    switch (row->kind) {
+    case KIND_TEXT: *(const char **)field = value; return true;
+    case KIND_FLAG: *(bool *)field = is_on; return true;
+    case KIND_WHOLE:
+        if (!read_in_range(o, row, value, &number)) return false;
+        *(int *)field = (int)number;
+        return true;
+    case KIND_REAL: return read_in_range(o, row, value, (double *)field);
+    case KIND_CUSTOM: break;
+    }
+    return row->set(o, row, value, is_on);
+}
+
+static bool set_bits(Options *o, const Row *row, const char *value, bool is_on)
+{
+    (void)row, (void)is_on;
+    bool is_16 = strcmp(value, "16") == 0;
+    if (!is_16 && strcmp(value, "8") != 0) return FAIL(o, "'%s' bits a channel are not written, only 8 or 16", value);
+    o->bits = is_16 ? 16 : 8;
+    return true;
+}
+
+/* +FN, +FN16; -F is "no file". */
+static bool set_file_type(Options *o, const Row *row, const char *value, bool is_on)
+{
+    if (!is_on && !*value) return o->no_output = true;
+    if (!is_on || toupper((unsigned char)*value) != 'N') return FAIL(o, "+F%s: only PNG files are written: +FN", value);
+    o->no_output = false;
+    return set_bits(o, row, value[1] ? value + 1 : "8", true);
+}
+
+static bool set_library(Options *o, const Row *row, const char *value, bool is_on)
+{
+    (void)row, (void)is_on;
+    ARENA_PUSH(o->arena, o->library_paths, o->n_library_paths, o->library_paths_capacity) = value;
+    return true;
+}
+
+static bool is_identifier(const char *name)
+{
+    if (!isalpha((unsigned char)*name) && *name != '_') return false;
+    while (isalnum((unsigned char)*name) || *name == '_') name++;
+    return !*name;
+}
+
+static bool set_declare(Options *o, const Row *row, const char *value, bool is_on)
+{
+    (void)row, (void)is_on;
+    char *name = arena_strdup(o->arena, value), *equals = strchr(name, '=');
+    double number;
+    if (!equals || !read_number(equals + 1, &number)) return FAIL(o, "Declare=%s: expected Name=number", value);
+    *equals = '\0';
+    if (!is_identifier(name)) return FAIL(o, "Declare=%s: '%s' is not an identifier", value, name);
+    ARENA_PUSH(o->arena, o->declares, o->n_declares, o->declares_capacity) = (ParseDeclare){ name, number };
+    return true;
+}
+
+static bool set_clock(Options *o, const Row *row, const char *value, bool is_on)
+{
+    (void)is_on;
+    return o->clock_on = read_in_range(o, row, value, &o->clock);
+}
+
+static bool set_method(Options *o, const Row *row, const char *value, bool is_on)
+{
+    (void)is_on;
+    o->nurbs.method = NURBS_METHOD_PAPER;
+    return strcmp(value, "paper") == 0 || FAIL(o, "%s: '%s' is not a method; there is: paper", title(o, row), value);
+}
+
+static bool set_flattening(Options *o, const Row *row, const char *value, bool is_on)
+{
+    (void)is_on;
+    bool is_adaptive = strcmp(value, "adaptive") == 0;
+    o->nurbs.flattening = is_adaptive ? NURBS_FLATTENING_ADAPTIVE : NURBS_FLATTENING_CURVATURE;
+    return is_adaptive || strcmp(value, "curvature") == 0
+        || FAIL(o, "%s: '%s' is not a way of flattening; there are: curvature, adaptive", title(o, row), value);
+}
+
+static bool set_nothing(Options *o, const Row *row, const char *value, bool is_on)
+{
+    (void)o, (void)row, (void)value, (void)is_on;
+    return true;
+}
+
+/* What POV-Ray has and we do not, yet: never ignored, except where it is switched off. */
+static bool set_unsupported(Options *o, const Row *row, const char *value, bool is_on)
+{
+    (void)value;
+    return !is_on || FAIL(o, "+%s (%s) is not yet supported", row->letters, row->key);
+}
+
+/* ---- the table ---- */
+
+enum { R = COMMAND_RENDER, C = COMMAND_CHECK, S = COMMAND_SHOOT, ALL = R | C | S };
+
+#define TEXT(f)          .kind = KIND_TEXT, .field = offsetof(Options, f)
+#define WHOLE(f, a, b)   .kind = KIND_WHOLE, .field = offsetof(Options, f), .lo = (a), .hi = (b)
+#define REAL(f, a, b)    .kind = KIND_REAL, .field = offsetof(Options, f), .lo = (a), .hi = (b)
+#define FLAG(f)          .kind = KIND_FLAG, .field = offsetof(Options, f)
+#define CUSTOM(function) .kind = KIND_CUSTOM, .set = function
+#define MISSING(letters, key) { letters, key, NULL, NULL, ALL, NULL, CUSTOM(set_unsupported) }
+
+static const Row table[] = {
+    { "I", "Input_File_Name", "input", "SCENE", ALL, "the scene, as a bare name is; .pov may be left out", TEXT(input) },
+    { "O", "Output_File_Name", "output", "FILE", R | S,
+      "the picture (default: beside the scene, as .png) or the hits of shoot; -: standard output", TEXT(output) },
+    { "W", "Width", "width", "N", ALL, "width of the picture in pixels (default 800)", WHOLE(width, 1, MAX_SIZE) },
+    { "H", "Height", "height", "N", ALL, "height of the picture (default 600)", WHOLE(height, 1, MAX_SIZE) },
+    { "F", NULL, NULL, "N[8|16]", R, "PNG with 8 (default) or 16 bits a channel; -F: no picture", CUSTOM(set_file_type) },
+    { NULL, "Bits_Per_Color", "bits", "8|16", R, "the same", CUSTOM(set_bits) },
+    { "UA", "Output_Alpha", "alpha", NULL, R, "write transparency too", FLAG(alpha) },
+    { "Q", "Quality", "quality", "0..11", ALL, "how much of the light is computed (default 9: all)", WHOLE(quality, 0, 11) },
+    { "SC", "Start_Column", NULL, "X", R, "render from this column, counted from 1, or a fraction",
+      REAL(start_column, 0, MAX_SIZE) },
+    { "EC", "End_Column", NULL, "X", R, "... to this one; the rest of the picture is black", REAL(end_column, 0, MAX_SIZE) },
+    { "SR", "Start_Row", NULL, "Y", R, "render from this row", REAL(start_row, 0, MAX_SIZE) },
+    { "ER", "End_Row", NULL, "Y", R, "... to this one", REAL(end_row, 0, MAX_SIZE) },
+    { "WT", "Work_Threads", "threads", "N", R | S, "threads (default: all cores); results do not depend on it",
+      WHOLE(n_threads, 1, MAX_THREADS) },
+    { "L", "Library_Path", "library", "FOLDER", ALL, "where included files are looked for; may be repeated",
+      CUSTOM(set_library) },
+    { NULL, "Declare", "declare", "Name=X", ALL, "declare a number before the scene is read", CUSTOM(set_declare) },
+    { "K", "Clock", "clock", "X", ALL, "the value of 'clock'", CUSTOM(set_clock), .lo = -INFINITY, .hi = INFINITY },
+    { "MV", "Version", NULL, "X", ALL, "the language version of scenes without #version", REAL(version, 1, 3.7) },
+    { NULL, NULL, "method", "paper", ALL, "how rays meet NURBS surfaces", CUSTOM(set_method) },
+    { NULL, NULL, "flattening", "WAY", ALL, "how they are cut up: curvature (default) or adaptive",
+      CUSTOM(set_flattening) },
+    { NULL, NULL, "flatness", "C", ALL, "how finely, where the scene does not say",
+      REAL(nurbs.flatness, 0x1p-1022, INFINITY) },
+    { NULL, NULL, "max-iterations", "N", ALL, "steps of Newton's method", WHOLE(nurbs.max_iterations, 1, MAX_NEWTON) },
+    { NULL, NULL, "rays", "FILE", S, "shoot: 6 little-endian doubles a ray; .txt and -: as text", TEXT(rays) },
+    { NULL, NULL, "stats", "FILE.json", R | S, "times and counts; taking them costs a few percent of time", TEXT(stats) },
+    { "V", "Verbose", "verbose", NULL, ALL, "tell more, on the standard error", FLAG(is_verbose) },
+    { NULL, NULL, "quiet", NULL, ALL, "tell errors only", FLAG(is_quiet) },
+    { "D", "Display", NULL, NULL, R, "read for POV-Ray's sake: there is no display", CUSTOM(set_nothing) },
+    { NULL, NULL, "help", NULL, ALL, "this text", FLAG(wants_help) },
+    { NULL, NULL, "version", NULL, ALL, "the program's version", FLAG(wants_version) },
+    MISSING("A", "Antialias"), MISSING("AM", "Sampling_Method"), MISSING("R", "Antialias_Depth"), MISSING("J", "Jitter"),
+    MISSING("C", "Continue_Trace"), MISSING("KFI", "Initial_Frame"), MISSING("KFF", "Final_Frame"),
+    MISSING("P", "Pause_When_Done"),
+};
+enum { N_ROWS = sizeof table / sizeof *table };
+
+static const struct { const char *name; Command command; const char *help; } commands[] = {
+    { "render", COMMAND_RENDER, "render SCENE.png; the word may be left out" },
+    { "check", COMMAND_CHECK, "read and validate; say what the scene has, and what is left out" },
+    { "shoot", COMMAND_SHOOT, "hits of given rays: trimray shoot SCENE.pov --rays R.bin --out H.bin" },
+};
+enum { N_COMMANDS = sizeof commands / sizeof *commands };
+
+/* ---- reading ---- */
+
+static bool needs_value(const Row *row) { return row->kind != KIND_FLAG && row->argument; }
+
+static bool apply(Options *o, const Row *row, const char *spelling, const char *value, bool is_on)
+{
+    if (!(row->commands & o->command)) return FAIL(o, "%s means nothing to this command", spelling);
+    if (needs_value(row) && !*value && is_on) return FAIL(o, "%s needs a value", spelling);
+    if (row->kind == KIND_FLAG && *value) return FAIL(o, "%s takes no value", spelling);
+    return set_value(o, row, value, is_on);
+}
+
+/* +W640, -D: the longest switch that the argument begins with. The sign says off only where no value follows. */
+static bool read_switch(Options *o, const char *argument)
+{
+    const Row *best = NULL;
+    size_t best_length = 0;
+    for (const Row *row = table; row < table + N_ROWS; row++) {
+        size_t length = row->letters ? strlen(row->letters) : 0;
+        if (length > best_length && strncasecmp(argument + 1, row->letters, length) == 0) best = row, best_length = length;
+    }
+    if (!best) return FAIL(o, "unknown switch '%s'", argument);
+    bool is_on = *argument == '+' || (needs_value(best) && best->set != set_file_type);
+    return apply(o, best, argument, argument + 1 + best_length, is_on);
+}
+
+static bool is_one_of(const char *value, const char *const words[])
+{
+    for (; *words; words++)
+        if (strcasecmp(value, *words) == 0) return true;
+    return false;
+}
+
+/* Width=640, Output_Alpha=on. */
+static bool read_key(Options *o, const char *argument, const char *equals)
+{
+    static const char *const on[] = { "on", "true", "yes", "1", NULL }, *const off[] = { "off", "false", "no", "0", NULL };
+    size_t length = (size_t)(equals - argument);
+    for (const Row *row = table; row < table + N_ROWS; row++) {
+        if (!row->key || strlen(row->key) != length || strncasecmp(argument, row->key, length) != 0) continue;
+        if (needs_value(row)) return apply(o, row, argument, equals + 1, true);
+        if (is_one_of(equals + 1, off)) return apply(o, row, argument, "", false);
+        if (row->kind == KIND_FLAG && !is_one_of(equals + 1, on)) return FAIL(o, "%s: expected on or off", argument);
+        return apply(o, row, argument, "", true);
+    }
+    return FAIL(o, "unknown setting '%s'", argument);
+}
+
+/* The row of --name, which may be cut short as long as it is clear; NULL: o->error is set. */
+static const Row *find_long(Options *o, const char *name, size_t length)
+{
+    const Row *found = NULL, *other = NULL;
+    for (const Row *row = table; row < table + N_ROWS; row++) {
+        if (!row->name || strncmp(row->name, name, length) != 0) continue;
+        if (strlen(row->name) == length) return row;
+        other = found, found = row;
+    }
+    if (!found) return FAIL(o, "unknown option '--%.*s'", (int)length, name) ? found : NULL;
+    if (other) return FAIL(o, "--%.*s: --%s or --%s?", (int)length, name, other->name, found->name) ? found : NULL;
+    return found;
+}
+
+/* --name=value or --name value; *next is the argument after it, taken if it is needed. */
+static bool read_long(Options *o, const char *argument, char *const **next, char *const *end)
+{
+    const char *name = argument + 2, *equals = strchr(name, '=');
+    const Row *row = find_long(o, name, equals ? (size_t)(equals - name) : strlen(name));
+    if (!row) return false;
+    const char *value = equals ? equals + 1 : "";
+    if (!equals && needs_value(row) && *next < end) value = *(*next)++;
+    return apply(o, row, arena_printf(o->arena, "--%s", row->name), value, true);
+}
+
+/* A bare word is the scene. */
+static bool read_bare(Options *o, const char *word)
+{
+    size_t length = strlen(word);
+    if (length >= 4 && strcasecmp(word + length - 4, ".ini") == 0)
+        return FAIL(o, "'%s': INI files are not yet supported", word);
+    if (o->input) return FAIL(o, "one scene at a time: '%s' or '%s'?", o->input, word);
+    o->input = word;
+    return true;
+}
+
+static bool read_argument(Options *o, const char *argument, char *const **next, char *const *end)
+{
+    const char *equals = strchr(argument, '=');
+    if (strncmp(argument, "--", 2) == 0 && argument[2]) return read_long(o, argument, next, end);
+    if (*argument == '+' || *argument == '-') return read_switch(o, argument);
+    if (equals && !memchr(argument, '/', (size_t)(equals - argument))) return read_key(o, argument, equals);
+    return *argument ? read_bare(o, argument) : FAIL(o, "an empty argument");
+}
+
+bool options_read(int argc, char *const argv[], Arena *a, Options *o)
+{
+    *o = (Options){ .command = COMMAND_RENDER, .width = 800, .height = 600, .bits = 8, .quality = 9, .arena = a };
+    char *const *next = argv, *const *end = argv + argc;
+    for (int i = 0; next == argv && argc > 0 && i < N_COMMANDS; i++)
+        if (strcmp(argv[0], commands[i].name) == 0) o->command = commands[i].command, next++;
+    while (next < end) {
+        const char *argument = *next++;
+        if (!read_argument(o, argument, &next, end)) return false;
+    }
+    if (o->wants_help || o->wants_version) return true;
+    if (!o->input) return FAIL(o, "no scene given");
+    return o->command != COMMAND_SHOOT || o->rays || FAIL(o, "shoot needs --rays FILE");
+}
+
+/* 1 is the first column as a start and the whole picture as an end; fractions are rounded down (POV-Ray's rules). */
+bool options_crop(double from, double to, int n, int *first, int *end)
+{
+    double a = from < 1 ? floor(from * n) : floor(from) - 1;
+    double b = to == 0 ? n : to <= 1 ? floor(to * n) : floor(to);
+    if (!(a < b && b <= n)) return false;
+    *first = (int)a, *end = (int)b;
+    return true;
+}
+
+/* ---- help ---- */
+
+static void print_row(const Row *row, FILE *out)
+{
+    const char *argument = row->argument ? row->argument : "";
+    char in_povray[40] = "", in_full[40] = "", both[84];
+    if (row->letters) snprintf(in_povray, sizeof in_povray, "+%s%s", row->letters, argument);
+    if (row->name) snprintf(in_full, sizeof in_full, "--%s%s%s", row->name, *argument ? " " : "", argument);
+    snprintf(both, sizeof both, "%s%s%s", in_povray, *in_povray && *in_full ? ", " : "", in_full);
+    fprintf(out, "  %-26s %s\n", both, row->help);
+}
+
+void options_print_help(FILE *out)
+{
+    fputs("trimray renders POV-Ray scenes whose special primitive is the trimmed NURBS surface.\n\n"
+          "usage: trimray [command] SCENE.pov [options]\n\ncommands:\n", out);
+    for (int i = 0; i < N_COMMANDS; i++) fprintf(out, "  %-26s %s\n", commands[i].name, commands[i].help);
+    fputs("\noptions, in POV-Ray's spelling and in full (also by POV-Ray's INI keys: Width=640):\n", out);
+    for (const Row *row = table; row < table + N_ROWS; row++)
+        if (row->help) print_row(row, out);
+    fputs("\nexit status: 0 done, 1 the scene or the input is wrong, 2 the command line is wrong, 3 a file cannot be read\n"
+          "or written, 130 interrupted (what was finished is kept)\n", out);
+}

@@ -36,13 +36,8 @@ struct Row {
 
 /* ---- values ---- */
 
+/* What is wrong with the argument in hand, whose text options_read puts before it. */
 #define FAIL(o, ...) ((o)->error = arena_printf((o)->arena, __VA_ARGS__), false)
-
-static const char *title(Options *o, const Row *row)
-{
-    return row->name ? arena_printf(o->arena, "--%s", row->name)
-         : row->letters ? arena_printf(o->arena, "+%s", row->letters) : row->key;
-}
 
 static bool read_number(const char *text, double *out)
 {
@@ -53,12 +48,11 @@ static bool read_number(const char *text, double *out)
 
 static bool read_in_range(Options *o, const Row *row, const char *text, double *out)
 {
-    if (!read_number(text, out)) return FAIL(o, "%s: '%s' is not a number", title(o, row), text);
-    if (row->kind == KIND_WHOLE && *out != floor(*out))
-        return FAIL(o, "%s: '%s' is not a whole number", title(o, row), text);
+    if (!read_number(text, out)) return FAIL(o, "'%s' is not a number", text);
+    if (row->kind == KIND_WHOLE && *out != floor(*out)) return FAIL(o, "%s is not a whole number", text);
     if (*out >= row->lo && *out <= row->hi) return true;
-    if (isinf(row->hi)) return FAIL(o, "%s: %s is too small", title(o, row), text);
-    return FAIL(o, "%s: %s is not in the range %g to %.0f", title(o, row), text, row->lo, row->hi);
+    if (isinf(row->hi)) return FAIL(o, "%s is too small", text);
+    return FAIL(o, "%s is not in the range %g to %.7g", text, row->lo, row->hi);
 }
 
 static bool set_value(Options *o, const Row *row, const char *value, bool is_on)
@@ -82,7 +76,7 @@ static bool set_bits(Options *o, const Row *row, const char *value, bool is_on)
 {
     (void)row, (void)is_on;
     bool is_16 = strcmp(value, "16") == 0;
-    if (!is_16 && strcmp(value, "8") != 0) return FAIL(o, "'%s' bits a channel are not written, only 8 or 16", value);
+    if (!is_16 && strcmp(value, "8") != 0) return FAIL(o, "only 8 or 16 bits a channel are written");
     o->bits = is_16 ? 16 : 8;
     return true;
 }
@@ -91,7 +85,7 @@ static bool set_bits(Options *o, const Row *row, const char *value, bool is_on)
 static bool set_file_type(Options *o, const Row *row, const char *value, bool is_on)
 {
     if (!is_on && !*value) return o->no_output = true;
-    if (!is_on || toupper((unsigned char)*value) != 'N') return FAIL(o, "+F%s: only PNG files are written: +FN", value);
+    if (!is_on || toupper((unsigned char)*value) != 'N') return FAIL(o, "only PNG files are written: +FN");
     o->no_output = false;
     return set_bits(o, row, value[1] ? value + 1 : "8", true);
 }
@@ -115,9 +109,9 @@ static bool set_declare(Options *o, const Row *row, const char *value, bool is_o
     (void)row, (void)is_on;
     char *name = arena_strdup(o->arena, value), *equals = strchr(name, '=');
     double number;
-    if (!equals || !read_number(equals + 1, &number)) return FAIL(o, "Declare=%s: expected Name=number", value);
+    if (!equals || !read_number(equals + 1, &number)) return FAIL(o, "expected Name=number");
     *equals = '\0';
-    if (!is_identifier(name)) return FAIL(o, "Declare=%s: '%s' is not an identifier", value, name);
+    if (!is_identifier(name)) return FAIL(o, "'%s' is not an identifier", name);
     ARENA_PUSH(o->arena, o->declares, o->n_declares, o->declares_capacity) = (ParseDeclare){ name, number };
     return true;
 }
@@ -130,18 +124,18 @@ static bool set_clock(Options *o, const Row *row, const char *value, bool is_on)
 
 static bool set_method(Options *o, const Row *row, const char *value, bool is_on)
 {
-    (void)is_on;
+    (void)row, (void)is_on;
     o->nurbs.method = NURBS_METHOD_PAPER;
-    return strcmp(value, "paper") == 0 || FAIL(o, "%s: '%s' is not a method; there is: paper", title(o, row), value);
+    return strcmp(value, "paper") == 0 || FAIL(o, "'%s' is not a method; there is: paper", value);
 }
 
 static bool set_flattening(Options *o, const Row *row, const char *value, bool is_on)
 {
-    (void)is_on;
+    (void)row, (void)is_on;
     bool is_adaptive = strcmp(value, "adaptive") == 0;
     o->nurbs.flattening = is_adaptive ? NURBS_FLATTENING_ADAPTIVE : NURBS_FLATTENING_CURVATURE;
     return is_adaptive || strcmp(value, "curvature") == 0
-        || FAIL(o, "%s: '%s' is not a way of flattening; there are: curvature, adaptive", title(o, row), value);
+        || FAIL(o, "'%s' is not a way of flattening; there are: curvature, adaptive", value);
 }
 
 static bool set_nothing(Options *o, const Row *row, const char *value, bool is_on)
@@ -154,7 +148,7 @@ static bool set_nothing(Options *o, const Row *row, const char *value, bool is_o
 static bool set_unsupported(Options *o, const Row *row, const char *value, bool is_on)
 {
     (void)value;
-    return !is_on || FAIL(o, "+%s (%s) is not yet supported", row->letters, row->key);
+    return !is_on || FAIL(o, "%s is not yet supported", row->key);
 }
 
 /* ---- the table ---- */
@@ -220,11 +214,11 @@ enum { N_COMMANDS = sizeof commands / sizeof *commands };
 
 static bool needs_value(const Row *row) { return row->kind != KIND_FLAG && row->argument; }
 
-static bool apply(Options *o, const Row *row, const char *spelling, const char *value, bool is_on)
+static bool apply(Options *o, const Row *row, const char *value, bool is_on)
 {
-    if (!(row->commands & o->command)) return FAIL(o, "%s means nothing to this command", spelling);
-    if (needs_value(row) && !*value && is_on) return FAIL(o, "%s needs a value", spelling);
-    if (row->kind == KIND_FLAG && *value) return FAIL(o, "%s takes no value", spelling);
+    if (!(row->commands & o->command)) return FAIL(o, "means nothing to this command");
+    if (needs_value(row) && !*value && is_on) return FAIL(o, "needs a value");
+    if (row->kind == KIND_FLAG && *value) return FAIL(o, "takes no value");
     return set_value(o, row, value, is_on);
 }
 
@@ -237,9 +231,9 @@ static bool read_switch(Options *o, const char *argument)
         size_t length = row->letters ? strlen(row->letters) : 0;
         if (length > best_length && strncasecmp(argument + 1, row->letters, length) == 0) best = row, best_length = length;
     }
-    if (!best) return FAIL(o, "unknown switch '%s'", argument);
+    if (!best) return FAIL(o, "unknown switch");
     bool is_on = *argument == '+' || (needs_value(best) && best->set != set_file_type);
-    return apply(o, best, argument, argument + 1 + best_length, is_on);
+    return apply(o, best, argument + 1 + best_length, is_on);
 }
 
 static bool is_one_of(const char *value, const char *const words[])
@@ -256,12 +250,12 @@ static bool read_key(Options *o, const char *argument, const char *equals)
     size_t length = (size_t)(equals - argument);
     for (const Row *row = table; row < table + N_ROWS; row++) {
         if (!row->key || strlen(row->key) != length || strncasecmp(argument, row->key, length) != 0) continue;
-        if (needs_value(row)) return apply(o, row, argument, equals + 1, true);
-        if (is_one_of(equals + 1, off)) return apply(o, row, argument, "", false);
-        if (row->kind == KIND_FLAG && !is_one_of(equals + 1, on)) return FAIL(o, "%s: expected on or off", argument);
-        return apply(o, row, argument, "", true);
+        if (needs_value(row)) return apply(o, row, equals + 1, true);
+        if (is_one_of(equals + 1, off)) return apply(o, row, "", false);
+        if (row->kind == KIND_FLAG && !is_one_of(equals + 1, on)) return FAIL(o, "expected on or off");
+        return apply(o, row, "", true);
     }
-    return FAIL(o, "unknown setting '%s'", argument);
+    return FAIL(o, "unknown setting");
 }
 
 /* The row of --name, which may be cut short as long as it is clear; NULL: o->error is set. */
@@ -273,8 +267,8 @@ static const Row *find_long(Options *o, const char *name, size_t length)
         if (strlen(row->name) == length) return row;
         other = found, found = row;
     }
-    if (!found) return FAIL(o, "unknown option '--%.*s'", (int)length, name) ? found : NULL;
-    if (other) return FAIL(o, "--%.*s: --%s or --%s?", (int)length, name, other->name, found->name) ? found : NULL;
+    if (!found) return FAIL(o, "unknown option") ? found : NULL;
+    if (other) return FAIL(o, "--%s or --%s?", other->name, found->name) ? found : NULL;
     return found;
 }
 
@@ -286,16 +280,15 @@ static bool read_long(Options *o, const char *argument, char *const **next, char
     if (!row) return false;
     const char *value = equals ? equals + 1 : "";
     if (!equals && needs_value(row) && *next < end) value = *(*next)++;
-    return apply(o, row, arena_printf(o->arena, "--%s", row->name), value, true);
+    return apply(o, row, value, true);
 }
 
 /* A bare word is the scene. */
 static bool read_bare(Options *o, const char *word)
 {
     size_t length = strlen(word);
-    if (length >= 4 && strcasecmp(word + length - 4, ".ini") == 0)
-        return FAIL(o, "'%s': INI files are not yet supported", word);
-    if (o->input) return FAIL(o, "one scene at a time: '%s' or '%s'?", o->input, word);
+    if (length >= 4 && strcasecmp(word + length - 4, ".ini") == 0) return FAIL(o, "INI files are not yet supported");
+    if (o->input) return FAIL(o, "one scene at a time, and %s is named already", o->input);
     o->input = word;
     return true;
 }
@@ -317,7 +310,7 @@ bool options_read(int argc, char *const argv[], Arena *a, Options *o)
         if (strcmp(argv[0], commands[i].name) == 0) o->command = commands[i].command, next++;
     while (next < end) {
         const char *argument = *next++;
-        if (!read_argument(o, argument, &next, end)) return false;
+        if (!read_argument(o, argument, &next, end)) return FAIL(o, "%s: %s", argument, o->error);
     }
     if (o->wants_help || o->wants_version) return true;
     if (!o->input) return FAIL(o, "no scene given");

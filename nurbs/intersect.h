@@ -1,0 +1,16 @@
+/* A ray and a prepared surface: nearest hit, and any hit. */
+#ifndef TRIMRAY_INTERSECT_H
+#define TRIMRAY_INTERSECT_H
+
+#include "nurbs/newton.h"
+
+typedef struct { NewtonRoot root; uint32_t leaf; } SurfaceHit;
+
+/* The nearest hit in the open interval (r->t_min, t_max) that no trim cuts away; counts into t. */
+bool intersect_nearest(const Surface *s, const LeafTree *tree, int max_iterations, const Ray *r, double t_max, Trace *t,
+                       SurfaceHit *out);
+
+/* Is there any hit in (r->t_min, t_max)? */
+bool intersect_any(const Surface *s, const LeafTree *tree, int max_iterations, const Ray *r, double t_max, Trace *t);
+
+#endif

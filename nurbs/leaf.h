@@ -1,0 +1,27 @@
+/* The interval objects of [MCFS00] section 2.2: what a leaf of the tree of boxes knows. */
+#ifndef TRIMRAY_LEAF_H
+#define TRIMRAY_LEAF_H
+
+#include "nurbs/surface.h"
+#include "render/bvh.h"
+
+/* A smooth stretch of one direction: it ends where the surface may have a corner or a gap (knots_breaks), so that within it one
+ * derivative leads to the next. */
+typedef struct { double lo, hi; } Piece;
+
+typedef struct {
+    double u0, u1, v0, v1;            /* the interval */
+    const Piece *piece_u, *piece_v;   /* the smooth stretches that it lies in */
+    double size;                      /* diagonal of the box of its control points */
+    int mu_u, mu_v;                   /* its spans */
+    bool needs_trim_test;             /* false: wholly kept */
+} Leaf;
+
+typedef struct {
+    const Leaf *leaves;
+    uint32_t n_leaves;
+    const Bvh *bvh;                   /* over the boxes of the leaves, item i is leaves[i] */
+    uint32_t n_cut, n_untested;       /* dropped because trimmed away; kept without a trim test on a trimmed surface */
+} LeafTree;
+
+#endif

@@ -19,11 +19,13 @@ typedef struct {
     int image_width, image_height;
     int quality;                         /* +Q */
     NurbsOptions nurbs;                  /* for surfaces that do not say otherwise */
+    long max_steps;                      /* rounds of loops and calls of macros before giving up; 0: 100 million */
+    FILE *debug;                         /* what #debug writes to; NULL: the standard error */
 } ParseOptions;
 
 /* What `check` and --stats tell of a scene, counted while it is read. */
 typedef struct {
-    size_t n_objects, n_lights, n_nurbs, n_trims, n_control_points;
+    size_t n_objects, n_lights, n_cameras, n_nurbs, n_trims, n_control_points;
     size_t n_bytes, n_files;
 } ParseSummary;
 

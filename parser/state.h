@@ -97,9 +97,4 @@ const Interior *parse_interior(Parser *p);
 void parse_camera(Parser *p, CameraDesc *out);
 void parse_light(Parser *p, Light *out);
 
-/* parse_nurbs.c; after the word */
-Shape *parse_trimmed_nurbs(Parser *p, char *closing, Place *opened);
-Shape *parse_hg_nurbs(Parser *p, char *closing, Place *opened);
-Shape *parse_bicubic_patch(Parser *p, char *closing, Place *opened);
-
 #endif

@@ -1,0 +1,215 @@
+/* pigment { }, color_map { } and pigment_map { }. Like POV-Ray's, a pigment starts from the one that it replaces: items
+ * change what they name and leave the rest, transformations too. */
+#include "parser/rules.h"
+
+#include <string.h>
+
+static const Pigment *keep_pigment(Parser *p, Pigment g)
+{
+    return arena_copy(parser_arena(p), &g, 1, sizeof g);
+}
+
+static const Pigment *solid(Parser *p, Color c)
+{
+    return keep_pigment(p, pigment_solid(c));
+}
+
+static const Pigment *default_pigment(Parser *p)
+{
+    const Texture *t = parser_scene(p)->default_texture;
+    return t->layers[t->n_layers - 1].pigment;
+}
+
+/* ---- patterns ---- */
+
+static const PigmentEntry *black_to_white(Parser *p, int *n)
+{
+    PigmentEntry *list = ARENA_ARRAY(parser_arena(p), PigmentEntry, 2);
+    list[0] = (PigmentEntry){ 0, solid(p, (Color){ 0, 0, 0, 0, 0 }) };
+    list[1] = (PigmentEntry){ 1, solid(p, (Color){ 1, 1, 1, 0, 0 }) };
+    *n = 2;
+    return list;
+}
+
+static const Pigment *parse_block(Parser *p)
+{
+    if (accept_word(p, "pigment")) return parse_pigment(p);
+    return starts_expression(p) ? solid(p, parse_color(p)) : NULL;
+}
+
+static void read_blocks(Parser *p, Pigment *g)
+{
+    const PatternType *type = g->pattern.type;
+    PigmentEntry *list = ARENA_ARRAY(parser_arena(p), PigmentEntry, type->n_blocks);
+    bool more = true;
+    for (int i = 0; i < type->n_blocks; i++) {
+        const Pigment *block = more ? parse_block(p) : NULL;
+        more = block != NULL;
+        list[i] = (PigmentEntry){ (float)i, block ? block : solid(p, type->blocks[i]) };
+        if (more && i + 1 < type->n_blocks) accept_comma(p);
+    }
+    g->kind = PIGMENT_BLOCKS, g->entries = list, g->n_entries = type->n_blocks;
+}
+
+static void read_pattern(Parser *p, Pigment *g, const PatternType *type)
+{
+    bool has_map = g->kind != PIGMENT_BLOCKS && g->n_entries > 0;
+    g->pattern = pattern_make(type);
+    if (type->n_blocks > 0) {
+        read_blocks(p, g);
+        return;
+    }
+    if (strcmp(type->name, "gradient") == 0) g->pattern.direction = vec_normalize(parse_vec3(p));
+    g->kind = PIGMENT_MAP;
+    if (!has_map) g->entries = black_to_white(p, &g->n_entries);
+}
+
+/* ---- items ---- */
+
+static void read_color_map(Parser *p, Pigment *g) { g->entries = parse_color_map(p, &g->n_entries); }
+static void read_pigment_map(Parser *p, Pigment *g) { g->entries = parse_pigment_map(p, &g->n_entries); }
+static void read_uv_mapping(Parser *p, Pigment *g) { (void)p, g->uv_mapping = true; }
+static void read_frequency(Parser *p, Pigment *g) { g->pattern.frequency = parse_float(p); }
+static void read_phase(Parser *p, Pigment *g) { g->pattern.phase = parse_float(p); }
+static void read_brick_size(Parser *p, Pigment *g) { g->pattern.brick_size = parse_vec3(p); }
+static void read_mortar(Parser *p, Pigment *g) { g->pattern.mortar = (float)parse_float(p); }
+static void read_ramp(Parser *p, Pigment *g) { (void)p, g->pattern.wave = WAVE_RAMP; }
+static void read_triangle(Parser *p, Pigment *g) { (void)p, g->pattern.wave = WAVE_TRIANGLE; }
+static void read_sine(Parser *p, Pigment *g) { (void)p, g->pattern.wave = WAVE_SINE; }
+static void read_scallop(Parser *p, Pigment *g) { (void)p, g->pattern.wave = WAVE_SCALLOP; }
+static void read_cubic(Parser *p, Pigment *g) { (void)p, g->pattern.wave = WAVE_CUBIC; }
+
+static void read_poly(Parser *p, Pigment *g)
+{
+    g->pattern.wave = WAVE_POLY;
+    if (starts_expression(p)) g->pattern.exponent = parse_float(p);
+}
+
+static const struct {
+    const char *word;
+    void (*read)(Parser *p, Pigment *g);
+} words[] = {
+    { "color_map", read_color_map }, { "colour_map", read_color_map }, { "pigment_map", read_pigment_map },
+    { "uv_mapping", read_uv_mapping }, { "frequency", read_frequency }, { "phase", read_phase },
+    { "brick_size", read_brick_size }, { "mortar", read_mortar }, { "ramp_wave", read_ramp },
+    { "triangle_wave", read_triangle }, { "sine_wave", read_sine }, { "scallop_wave", read_scallop },
+    { "cubic_wave", read_cubic }, { "poly_wave", read_poly },
+};
+
+static const char *const left_out[] = { "quick_color", "quick_colour", NULL };
+
+static bool read_word(Parser *p, Pigment *g, Token t)
+{
+    const PatternType *type = pattern_type(t.text);
+    if (type) {
+        next(p);
+        read_pattern(p, g, type);
+        return true;
+    }
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
+        if (strcmp(t.text, words[i].word) != 0) continue;
+        next(p);
+        words[i].read(p, g);
+        return true;
+    }
+    return parse_left_out(p, left_out);
+}
+
+static bool read_item(Parser *p, Pigment *g)
+{
+    Xform x = xform_identity();
+    if (parse_transformation(p, &x)) {
+        pigment_transform(g, &x);
+        return true;
+    }
+    Token t = peek(p);
+    if (t.kind == TOKEN_WORD && read_word(p, g, t)) return true;
+    if (!starts_expression(p)) return false;
+    g->kind = PIGMENT_COLOR;
+    g->color = parse_color(p);
+    return true;
+}
+
+/* What stands in pigment { } and in an entry of a pigment_map. */
+static void read_body(Parser *p, Pigment *g)
+{
+    Value v;
+    if (accept_value(p, VALUE_PIGMENT, &v)) *g = *v.pigment;
+    while (read_item(p, g)) continue;
+}
+
+Pigment parse_pigment_from(Parser *p, const Pigment *base)
+{
+    Place opened = expect_open(p, "pigment");
+    Pigment g = *base;
+    read_body(p, &g);
+    expect_close(p, '}', "pigment", opened);
+    return g;
+}
+
+const Pigment *parse_pigment(Parser *p)
+{
+    return keep_pigment(p, parse_pigment_from(p, default_pigment(p)));
+}
+
+/* ---- maps ---- */
+
+typedef struct {
+    PigmentEntry *list;
+    size_t n, capacity;
+} MapDraft;
+
+static void add_entry(Parser *p, MapDraft *m, double key, const Pigment *g)
+{
+    ARENA_PUSH(parser_arena(p), m->list, m->n, m->capacity) = (PigmentEntry){ (float)key, g };
+}
+
+/* [key colour], or the old form [key key colour colour]. */
+static void read_color_entry(Parser *p, MapDraft *m)
+{
+    double key = parse_float(p), key2 = key;
+    accept_comma(p);
+    bool has_two = peek(p).kind == TOKEN_NUMBER;
+    if (has_two) key2 = parse_float(p), accept_comma(p);
+    add_entry(p, m, key, solid(p, parse_color(p)));
+    if (!has_two) return;
+    accept_comma(p);
+    add_entry(p, m, key2, solid(p, parse_color(p)));
+}
+
+static void read_pigment_entry(Parser *p, MapDraft *m)
+{
+    double key = parse_float(p);
+    accept_comma(p);
+    Pigment g = *default_pigment(p);
+    read_body(p, &g);
+    add_entry(p, m, key, keep_pigment(p, g));
+}
+
+static const PigmentEntry *read_map(Parser *p, const char *what, ValueKind kind,
+                                    void (*read_entry)(Parser *p, MapDraft *m), int *n)
+{
+    Place opened = expect_open(p, what);
+    MapDraft m = { .list = NULL };
+    Value v;
+    bool is_declared = accept_value(p, kind, &v);
+    while (!is_declared && peek_punct(p, '[')) {
+        Place bracket = expect_punct(p, '[');
+        read_entry(p, &m);
+        expect_close(p, ']', "the entry", bracket);
+    }
+    if (!is_declared && m.n == 0) parse_fail_expected(p, "'['");
+    expect_close(p, '}', what, opened);
+    *n = is_declared ? v.n : (int)m.n;
+    return is_declared ? v.map : m.list;
+}
+
+const PigmentEntry *parse_color_map(Parser *p, int *n)
+{
+    return read_map(p, "color_map", VALUE_COLOR_MAP, read_color_entry, n);
+}
+
+const PigmentEntry *parse_pigment_map(Parser *p, int *n)
+{
+    return read_map(p, "pigment_map", VALUE_PIGMENT_MAP, read_pigment_entry, n);
+}

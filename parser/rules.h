@@ -1,0 +1,56 @@
+/* What the files of parse rules share among themselves; the core of the parser sees state.h alone. */
+#ifndef TRIMRAY_RULES_H
+#define TRIMRAY_RULES_H
+
+#include "parser/state.h"
+
+/* An object of the scene language: its word, and what reads the inside of its block up to the first modifier. A rule
+ * returns a shape always: what describes none is reported and replaced (see shape_stand_in), so that reading can go on. */
+typedef struct {
+    const char *word;
+    Shape *(*read)(Parser *p, Place word);
+    bool may_use_angles;                    /* < ... > may stand in place of { ... } */
+} ShapeRule;
+
+/* parse_shape.c: the one table of them. */
+const ShapeRule *shape_rule(const char *word);          /* NULL: no such object */
+const ShapeRule *shape_rule_at(size_t i);               /* NULL: past the end */
+Shape *shape_stand_in(Parser *p);                       /* in place of a shape that was reported */
+
+/* parse_nurbs.c */
+Shape *parse_trimmed_nurbs(Parser *p, Place word);
+Shape *parse_hg_nurbs(Parser *p, Place word);
+Shape *parse_bicubic_patch(Parser *p, Place word);
+
+/* parse_object.c */
+void parse_modifiers(Parser *p, Object *o);             /* all that follow */
+void skip_block(Parser *p, const char *what);           /* { ... }, whatever is in it */
+/* If the next token is one of `words` (NULL-terminated), which cannot matter here, reads it with the number or block
+ * that belongs to it, and warns once. */
+bool parse_left_out(Parser *p, const char *const words[]);
+
+/* parse_texture.c */
+bool parse_texture_item(Parser *p, const Texture **t);  /* what may stand in texture { }: changes *t; false: none */
+const Texture *texture_with_pigment(Parser *p, const Texture *t);    /* after the word: the top layer's is changed */
+const Texture *texture_with_finish(Parser *p, const Texture *t);
+const Texture *texture_layered(Parser *p, const Texture *below, const Texture *top);
+
+/* parse_pigment.c: after the word. POV-Ray's pigments and finishes start from what was there: so do these. */
+Pigment parse_pigment_from(Parser *p, const Pigment *base);
+const PigmentEntry *parse_color_map(Parser *p, int *n);
+const PigmentEntry *parse_pigment_map(Parser *p, int *n);
+
+/* parse_finish.c */
+Finish parse_finish_from(Parser *p, Finish base);
+
+/* parse_settings.c: after the word */
+void parse_background(Parser *p);
+void parse_global_settings(Parser *p);
+const SkySphere *parse_sky_sphere(Parser *p);
+const Fog *parse_fog(Parser *p);
+void settings_begin(Parser *p);
+void settings_end(Parser *p);
+
+static inline bool place_is_known(Place w) { return w.source != NULL; }
+
+#endif

@@ -1,0 +1,263 @@
+/* Crossings of two chains and of a chain with itself. See trim_cross.h.
+ *
+ * Two chains: the excursion of a to one side of b is the greatest distance from b of a's points on that side. If a crosses b, both
+ * excursions are positive, and the lesser one is the depth. They are found by bisecting the pieces of a, with bounds: along a
+ * piece the distance to one piece of b is a convex function, so its ends bound the distance to b; runs of pieces that keep
+ * clear of b are on one side, and one point of them may be enough.
+ *
+ * One chain: the places where it meets itself cut it into runs. Beside a run the winding number is constant, on either
+ * side. Where it is neither 0 nor that of a simple loop, circles that touch the run on that side are shrunk until
+ * no other piece is in them; the centre of one that is still in the wrong region proves a depth of its diameter. */
+#include "nurbs/trim_cross.h"
+
+#include <stdlib.h>
+
+/* ---- two chains ---- */
+
+enum { OUTSIDE, INSIDE };
+
+typedef struct {
+    const TrimChain *a, *b;
+    double far[2];       /* excursions so far, at most TRIM_DEPTH_CAP */
+    Vec2 at[2];
+    int piece[2];        /* of a, where the excursion was found */
+} Excursions;
+
+static int side_of(const TrimChain *b, Vec2 p) { return trim_chain_winding(b, p) != 0 ? INSIDE : OUTSIDE; }
+
+static void note(Excursions *e, int side, double distance, Vec2 at, int piece)
+{
+    if (distance > e->far[side]) e->far[side] = distance, e->at[side] = at, e->piece[side] = piece;
+}
+
+static double distance_to_piece(const TrimChain *c, int piece, Vec2 p)
+{
+    return vec2_length(vec2_sub(p, trim_piece_nearest(c->p[piece], c->p[piece + 1], p)));
+}
+
+/* The part p-q of a piece. */
+static void bisect(Excursions *e, Vec2 p, Vec2 q, int piece)
+{
+    Vec2 middle = vec2((p.x + q.x) / 2, (p.y + q.y) / 2);
+    double half = vec2_length(vec2_sub(q, p)) / 2;
+    TrimNearest near = trim_chain_nearest(e->b, middle, TRIM_DEPTH_CAP);
+    double most = near.distance + half;
+    if (near.piece >= 0) {
+        most = fmin(most, fmax(distance_to_piece(e->b, near.piece, p), distance_to_piece(e->b, near.piece, q)));
+    }
+    most = fmin(most, TRIM_DEPTH_CAP);
+    if (most <= TRIM_EPSILON || (e->far[INSIDE] >= most && e->far[OUTSIDE] >= most)) return;
+    int side = side_of(e->b, middle);
+    note(e, side, near.distance, middle, piece);
+    if (half <= TRIM_EPSILON) return;
+    if (e->far[side] >= most && !trim_chain_meets(e->b, trim_rect_of(p, q))) return;
+    bisect(e, p, middle, piece);
+    bisect(e, middle, q, piece);
+}
+
+/* Group g of a and those after it that make the subtree at `level`: is there nothing to be learnt in it? */
+static bool is_settled(Excursions *e, int level, int g)
+{
+    if (trim_chain_meets(e->b, e->a->boxes.box[level][g >> (2 * level)])) return false;
+    int first = g * TRIM_GROUP, side = side_of(e->b, e->a->p[first]);
+    if (e->far[side] >= TRIM_DEPTH_CAP) return true;
+    note(e, side, trim_chain_nearest(e->b, e->a->p[first], TRIM_DEPTH_CAP).distance, e->a->p[first], first);
+    return e->far[side] >= TRIM_DEPTH_CAP;
+}
+
+static void excursions_below(Excursions *e, int level, int g)
+{
+    const TrimChain *a = e->a;
+    if (is_settled(e, level, g) || (e->far[INSIDE] >= TRIM_DEPTH_CAP && e->far[OUTSIDE] >= TRIM_DEPTH_CAP)) return;
+    if (level > 0) {
+        int step = 1 << (2 * (level - 1));
+        for (int i = 0; i < TRIM_BOXES_FAN && g + i * step < a->boxes.n[0]; i++) excursions_below(e, level - 1, g + i * step);
+    } else {
+        int first = g * TRIM_GROUP;
+        for (int i = first; i < first + TRIM_GROUP && i < a->n; i++) bisect(e, a->p[i], a->p[i + 1], i);
+    }
+}
+
+static Excursions excursions(const TrimChain *a, const TrimChain *b)
+{
+    Excursions e = { .a = a, .b = b };
+    excursions_below(&e, a->boxes.n_levels - 1, 0);
+    return e;
+}
+
+/* Where a-b and c-d meet; for parallel ones an end. */
+static Vec2 meeting_point(Vec2 a, Vec2 b, Vec2 c, Vec2 d)
+{
+    Vec2 ab = vec2_sub(b, a), cd = vec2_sub(d, c);
+    double det = vec2_cross(ab, cd), s = vec2_cross(vec2_sub(c, a), cd) / det;
+    return s >= 0 && s <= 1 ? vec2_add(a, vec2_scale(ab, s)) : trim_piece_nearest(a, b, c);
+}
+
+/* A place where piece i of a meets b. */
+static bool meets_chain(const TrimChain *a, int i, const TrimChain *b, Vec2 *at)
+{
+    Vec2 p = a->p[i], q = a->p[i + 1];
+    TrimRect box = trim_rect_of(p, q);
+    for (int g = trim_boxes_next(&b->boxes, box, 0); g >= 0; g = trim_boxes_next(&b->boxes, box, g + 1)) {
+        for (int j = g * TRIM_GROUP; j < (g + 1) * TRIM_GROUP && j < b->n; j++) {
+            if (!trim_pieces_meet(p, q, b->p[j], b->p[j + 1])) continue;
+            *at = meeting_point(p, q, b->p[j], b->p[j + 1]);
+            return true;
+        }
+    }
+    return false;
+}
+
+/* The lesser excursion, and the crossing through which a went there. */
+static TrimCrossing crossing_of(const Excursions *e)
+{
+    int lesser = e->far[INSIDE] < e->far[OUTSIDE] ? INSIDE : OUTSIDE;
+    TrimCrossing c = { e->far[lesser], e->at[lesser] };
+    if (c.depth <= TRIM_EPSILON) return c;
+    for (int back = 0, i = e->piece[lesser]; back < e->a->n; back++, i = (i > 0 ? i : e->a->n) - 1) {
+        if (meets_chain(e->a, i, e->b, &c.at)) break;
+    }
+    return c;
+}
+
+TrimRelation trim_relation(const TrimChain *a, const TrimChain *b)
+{
+    if (!trim_rects_meet(trim_chain_box(a), trim_chain_box(b))) return (TrimRelation){ 0 };
+    Excursions ab = excursions(a, b);
+    TrimRelation r = { ab.far[INSIDE] > ab.far[OUTSIDE], crossing_of(&ab) };
+    if (r.crossing.depth > TRIM_EPSILON) {
+        Excursions ba = excursions(b, a);
+        TrimCrossing other = crossing_of(&ba);
+        if (other.depth > r.crossing.depth) r.crossing = other;
+    }
+    return r;
+}
+
+/* ---- a chain with itself ---- */
+
+/* Where the chain is met by itself, as piece number + place on the piece. */
+typedef struct { double *at; size_t n, capacity; } Cuts;
+
+static void add_cut(Arena *scratch, Cuts *cuts, const TrimChain *c, int i, Vec2 p)
+{
+    Vec2 a = c->p[i], ab = vec2_sub(c->p[i + 1], a);
+    double s = vec2_dot(vec2_sub(p, a), ab) / vec2_dot(ab, ab);
+    ARENA_PUSH(scratch, cuts->at, cuts->n, cuts->capacity) = i + fmin(fmax(s, 0), 1);
+}
+
+/* Both pieces get all that the one may meet the other in: a crossing point, or the ends of a common edge. */
+static void cut_pair(Arena *scratch, Cuts *cuts, const TrimChain *c, int i, int j)
+{
+    Vec2 a0 = c->p[i], a1 = c->p[i + 1], b0 = c->p[j], b1 = c->p[j + 1];
+    if (!trim_pieces_meet(a0, a1, b0, b1)) return;
+    if (trim_side(a0, a1, b0) == 0 && trim_side(a0, a1, b1) == 0) {
+        add_cut(scratch, cuts, c, i, b0), add_cut(scratch, cuts, c, i, b1);
+        add_cut(scratch, cuts, c, j, a0), add_cut(scratch, cuts, c, j, a1);
+    } else {
+        Vec2 p = meeting_point(a0, a1, b0, b1);
+        add_cut(scratch, cuts, c, i, p), add_cut(scratch, cuts, c, j, p);
+    }
+}
+
+static void cut_groups(Arena *scratch, Cuts *cuts, const TrimChain *c, int g, int h)
+{
+    for (int i = g * TRIM_GROUP; i < (g + 1) * TRIM_GROUP && i < c->n; i++) {
+        for (int j = h * TRIM_GROUP; j < (h + 1) * TRIM_GROUP && j < c->n; j++) {
+            bool are_neighbours = j <= i + 1 || (i == 0 && j == c->n - 1);
+            if (!are_neighbours) cut_pair(scratch, cuts, c, i, j);
+        }
+    }
+}
+
+static int by_value(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+static Cuts find_cuts(Arena *scratch, const TrimChain *c)
+{
+    Cuts cuts = { 0 };
+    for (int g = 0; g < c->boxes.n[0]; g++) {
+        TrimRect box = c->boxes.box[0][g];
+        for (int h = g; h >= 0; h = trim_boxes_next(&c->boxes, box, h + 1)) cut_groups(scratch, &cuts, c, g, h);
+    }
+    if (cuts.n > 0) qsort(cuts.at, cuts.n, sizeof *cuts.at, by_value);
+    return cuts;
+}
+
+typedef struct {
+    const TrimChain *chain;
+    int winding;             /* of a simple loop in this direction */
+    TrimCrossing worst;
+    Vec2 start;              /* where the run begins: a crossing point */
+} Self;
+
+/* The radius of the largest circle, up to that of TRIM_DEPTH_CAP, that touches the chain at x on the side of the unit normal
+ * and has no piece in it; shrunk to pass through the nearest point until none is nearer. */
+static double touching_circle(const TrimChain *c, Vec2 x, Vec2 normal)
+{
+    double r = TRIM_DEPTH_CAP / 2;
+    while (r > TRIM_EPSILON) {
+        Vec2 centre = vec2_add(x, vec2_scale(normal, r));
+        TrimNearest near = trim_chain_nearest(c, centre, r * (1 - 1e-6));
+        if (near.piece < 0) return r;
+        Vec2 d = vec2_sub(near.point, x);
+        double shrunk = vec2_dot(d, d) / (2 * vec2_dot(d, normal));
+        r = shrunk > 0 && shrunk < r * (1 - 1e-6) ? shrunk : r / 2;
+    }
+    return 0;
+}
+
+/* Looks at both sides of piece i at place s. Is one of them in a wrong region? */
+static bool probe(Self *self, int i, double s)
+{
+    const TrimChain *c = self->chain;
+    Vec2 a = c->p[i], ab = vec2_sub(c->p[i + 1], a), x = vec2_add(a, vec2_scale(ab, s));
+    Vec2 left = vec2_scale(vec2(-ab.y, ab.x), 1 / vec2_length(ab));
+    bool is_wrong = false;
+    for (int side = -1; side <= 1; side += 2) {
+        Vec2 normal = vec2_scale(left, side);
+        double r = touching_circle(c, x, normal);
+        int winding = r > 0 ? trim_chain_winding(c, vec2_add(x, vec2_scale(normal, r))) : 0;
+        if (winding == 0 || winding == self->winding) continue;
+        is_wrong = true;
+        if (2 * r > self->worst.depth) self->worst = (TrimCrossing){ 2 * r, self->start };
+    }
+    return is_wrong;
+}
+
+/* Samples of a run, so many on each of its pieces that there are some dozens in all. */
+#define RUN_SAMPLES 32
+
+/* The part of piece i that is in the run, as places on the piece. */
+typedef struct { double lo, hi; } Part;
+static Part part_of(double from, double to, int i) { return (Part){ fmax(from - i, 0), fmin(to - i, 1) }; }
+
+/* The run from `from` to `to` (piece numbers and places on them; `to` may be beyond the last piece, and goes round). */
+static void probe_run(Self *self, double from, double to)
+{
+    int n = self->chain->n, first = (int)from, last = (int)to, per_piece = RUN_SAMPLES / (last - first + 1) + 1;
+    int middle = (int)((from + to) / 2);
+    Part part = part_of(from, to, middle);
+    if (to - from < TRIM_EPSILON || !probe(self, middle % n, (part.lo + part.hi) / 2)) return;
+    for (int i = first; i <= last && self->worst.depth <= TRIM_CROSSING; i++) {
+        part = part_of(from, to, i);
+        for (int j = 0; j < per_piece; j++) {
+            probe(self, i % n, part.lo + (part.hi - part.lo) * (j + .5) / per_piece);
+        }
+    }
+}
+
+TrimCrossing trim_self_crossing(Arena *scratch, const TrimChain *c, bool is_ccw)
+{
+    Cuts cuts = find_cuts(scratch, c);
+    Self self = { .chain = c, .winding = is_ccw ? 1 : -1 };
+    for (size_t k = 0; k < cuts.n && self.worst.depth <= TRIM_CROSSING; k++) {
+        double from = cuts.at[k], to = k + 1 < cuts.n ? cuts.at[k + 1] : cuts.at[0] + c->n;
+        int i = (int)from % c->n;
+        self.start = vec2_add(c->p[i], vec2_scale(vec2_sub(c->p[i + 1], c->p[i]), from - floor(from)));
+        probe_run(&self, from, to);
+    }
+    return self.worst;
+}

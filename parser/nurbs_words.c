@@ -100,7 +100,7 @@ static void report_open_trim(Parser *p, const SurfaceDesc *d, const SurfacePlace
 {
     int n = curves_of(d, e->trim), curve = e->other + 1, before = e->other > 0 ? e->other : n;
     parse_error(p, curve_place(places, e->trim, e->other),
-                "expected curve %d to start where curve %d ends, found a gap of %g", curve, before, e->value);
+                "expected curve %d to start where curve %d ends, found a gap of %g of the domain", curve, before, e->value);
 }
 
 static void report_trim_error(Parser *p, const SurfaceDesc *d, const SurfacePlaces *places, const NurbsError *e)
@@ -110,8 +110,8 @@ static void report_trim_error(Parser *p, const SurfaceDesc *d, const SurfacePlac
     case NURBS_TRIM_TOO_SHORT: parse_error(p, where, "expected at least 3 points in a trim polyline"); break;
     case NURBS_TRIM_OPEN: report_open_trim(p, d, places, e); break;
     case NURBS_TRIM_OUTSIDE:
-        parse_error(p, where, "expected trim %d inside the domain, found it %g outside at (u, v) = (%g, %g)", e->trim + 1,
-                    e->value, e->u, e->v);
+        parse_error(p, where, "expected trim %d inside the domain, found it at (u, v) = (%g, %g), %g of the domain outside",
+                    e->trim + 1, e->u, e->v, e->value);
         break;
     case NURBS_TRIMS_CONFLICT:
         parse_error(p, where, "expected one direction of trims %d and %d (line %u), which stand side by side, found two",
@@ -143,20 +143,31 @@ void nurbs_report_error(Parser *p, const SurfaceDesc *d, const SurfacePlaces *pl
     }
 }
 
+static void report_crossing(Parser *p, const SurfacePlaces *places, const NurbsWarning *w)
+{
+    Place where = trim_place(places, w->trim);
+    const char *rule = "inside is where the winding is not zero";
+    if (w->trim == w->other)
+        parse_warn(p, where, "trim %d crosses itself by %g of the domain at (u, v) = (%g, %g): %s", w->trim + 1, w->value,
+                   w->u, w->v, rule);
+    else
+        parse_warn(p, where, "trim %d crosses trim %d (line %u) by %g of the domain at (u, v) = (%g, %g): %s", w->trim + 1,
+                   w->other + 1, trim_place(places, w->other).line, w->value, w->u, w->v, rule);
+}
+
 void nurbs_report_warning(Parser *p, const SurfacePlaces *places, const NurbsWarning *w)
 {
     Place where = trim_place(places, w->trim);
     switch (w->code) {
     case NURBS_WARN_TRIM_CLAMPED:
-        parse_warn(p, where, "trim %d leaves the domain by %g at (u, v) = (%g, %g): it is clamped", w->trim + 1, w->value,
-                   w->u, w->v);
+        parse_warn(p, where, "trim %d at (u, v) = (%g, %g) is %g of the domain outside: it is clamped", w->trim + 1, w->u,
+                   w->v, w->value);
         break;
     case NURBS_WARN_TRIM_BRIDGED:
-        parse_warn(p, where, "trim %d has a gap of %g at (u, v) = (%g, %g): it is bridged by a straight piece", w->trim + 1,
-                   w->value, w->u, w->v);
+        parse_warn(p, where, "trim %d has a gap of %g of the domain at (u, v) = (%g, %g): a straight piece bridges it",
+                   w->trim + 1, w->value, w->u, w->v);
         break;
     case NURBS_WARN_TRIM_CROSSING:
-        parse_warn(p, where, "trims %d and %d cross by %g at (u, v) = (%g, %g): inside is where their winding is not zero",
-                   w->trim + 1, w->other + 1, w->value, w->u, w->v);
+        report_crossing(p, places, w);
     }
 }

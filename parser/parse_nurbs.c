@@ -14,6 +14,7 @@ typedef struct {
     TrimLoopDesc *loops;
     TrimPlaces *places;
     size_t n, n_places, capacity, places_capacity;
+    bool is_faulty;
 } TrimList;
 
 static const Vec3 *plane_points(Parser *p, const Spline *s)
@@ -35,17 +36,18 @@ static Spline read_curve(Parser *p, Place word)
     Place opened = expect_open(p, "curve");
     while (spline_read_item(p, &s)) continue;
     expect_close(p, '}', "curve", opened);
-    spline_check(p, &s, "curve");
+    spline_check(p, &s);
     return s;
 }
 
-static TrimLoopDesc read_curves(Parser *p, TrimPlaces *places)
+static TrimLoopDesc read_curves(Parser *p, TrimList *trims, TrimPlaces *places)
 {
     TrimCurveDesc *curves = NULL;
     CurvePlaces *where = NULL;
     size_t n = 0, n_where = 0, capacity = 0, where_capacity = 0;
     for (Place word = here(p); accept_word(p, "curve"); word = here(p)) {
         Spline s = read_curve(p, word);
+        trims->is_faulty |= s.is_faulty;
         ARENA_PUSH(parser_arena(p), curves, n, capacity) = curve_desc(p, &s);
         ARENA_PUSH(parser_arena(p), where, n_where, where_capacity) = (CurvePlaces){ word, s.knots[0].places };
     }
@@ -53,28 +55,29 @@ static TrimLoopDesc read_curves(Parser *p, TrimPlaces *places)
     return (TrimLoopDesc){ .curves = curves, .n_curves = (int)n };
 }
 
-static TrimLoopDesc read_polyline(Parser *p, TrimPlaces *places)
+static TrimLoopDesc read_polyline(Parser *p, TrimList *trims, TrimPlaces *places)
 {
-    Arena *a = parser_arena(p);
     Spline s = spline_of_curve(places->word);
     s.order[0] = 2;
     while (starts_expression(p)) {
-        ARENA_PUSH(a, s.points, s.n_points, s.capacity) = spline_read_point(p, 2, false);
+        spline_add_point(p, &s, false);
         accept_comma(p);
     }
     if (s.n_points < 3)
-        parse_error(p, places->word, "expected at least 3 points in a trim polyline, found %zu", s.n_points);
+        spline_fault(p, &s, places->word, "expected at least 3 points in a trim polyline, found %zu", s.n_points);
+    trims->is_faulty |= s.is_faulty;
     CurvePlaces where = { .word = places->word };
     TrimCurveDesc curve = curve_desc(p, &s);
-    places->curves = arena_copy(a, &where, 1, sizeof where);
-    return (TrimLoopDesc){ .curves = arena_copy(a, &curve, 1, sizeof curve), .n_curves = 1, .is_polyline = true };
+    places->curves = arena_copy(parser_arena(p), &where, 1, sizeof where);
+    return (TrimLoopDesc){ .curves = arena_copy(parser_arena(p), &curve, 1, sizeof curve), .n_curves = 1,
+                           .is_polyline = true };
 }
 
 static void read_trim(Parser *p, TrimList *trims, Place word)
 {
     TrimPlaces places = { .word = word };
     Place opened = expect_open(p, "trim");
-    TrimLoopDesc loop = peek_word(p, "curve") ? read_curves(p, &places) : read_polyline(p, &places);
+    TrimLoopDesc loop = peek_word(p, "curve") ? read_curves(p, trims, &places) : read_polyline(p, trims, &places);
     expect_close(p, '}', "trim", opened);
     ARENA_PUSH(parser_arena(p), trims->loops, trims->n, trims->capacity) = loop;
     ARENA_PUSH(parser_arena(p), trims->places, trims->n_places, trims->places_capacity) = places;
@@ -118,9 +121,11 @@ static Shape *make_surface(Parser *p, const SurfaceDesc *d, const NurbsOptions *
     return shape_stand_in(p);
 }
 
+/* What was found faulty while it was read is not asked for a shape. */
 static Shape *make_draft(Parser *p, const SurfaceDraft *s)
 {
     const Spline *n = &s->spline;
+    if (n->is_faulty || s->trims.is_faulty) return shape_stand_in(p);
     SurfaceDesc desc = surface_desc(s);
     SurfacePlaces places = { .word = n->word, .order = n->order_word, .points = n->points_word,
                              .knots_u = n->knots[0].places, .knots_v = n->knots[1].places, .trims = s->trims.places };
@@ -151,16 +156,15 @@ static void read_method(Parser *p, SurfaceDraft *s)
 static void read_flatness(Parser *p, SurfaceDraft *s)
 {
     Place where = here(p);
-    s->options.flatness = parse_float(p);
-    if (!(s->options.flatness > 0)) parse_error(p, where, "expected a positive flatness, found %g", s->options.flatness);
+    double c = s->options.flatness = parse_float(p);
+    if (!(c > 0)) spline_fault(p, &s->spline, where, "expected a positive flatness, found %g", c);
 }
 
 static void read_max_iterations(Parser *p, SurfaceDraft *s)
 {
     Place where = here(p);
-    s->options.max_iterations = parse_int(p);
-    if (s->options.max_iterations < 1)
-        parse_error(p, where, "expected at least 1 in max_iterations, found %d", s->options.max_iterations);
+    int n = s->options.max_iterations = parse_int(p);
+    if (n < 1) spline_fault(p, &s->spline, where, "expected at least 1 in max_iterations, found %d", n);
 }
 
 static bool read_surface_item(Parser *p, SurfaceDraft *s)
@@ -178,11 +182,10 @@ static bool read_surface_item(Parser *p, SurfaceDraft *s)
 
 Shape *parse_trimmed_nurbs(Parser *p, Place word)
 {
-    int errors_before = diag_error_count(parser_diag(p));
-    SurfaceDraft s = { .spline = spline_of_surface(word), .options = parser_options(p)->nurbs };
+    SurfaceDraft s = { .spline = spline_of_surface("trimmed_nurbs", word), .options = parser_options(p)->nurbs };
     while (read_surface_item(p, &s)) continue;
-    spline_check(p, &s.spline, "trimmed_nurbs");
-    return diag_error_count(parser_diag(p)) == errors_before ? make_draft(p, &s) : shape_stand_in(p);
+    spline_check(p, &s.spline);
+    return make_draft(p, &s);
 }
 
 /* ---- nurbs, as hgPOV-Ray 3.8 reads it ----
@@ -207,21 +210,17 @@ static void read_header(Parser *p, Spline *s)
 
 Shape *parse_hg_nurbs(Parser *p, Place word)
 {
-    int errors_before = diag_error_count(parser_diag(p));
-    SurfaceDraft s = { .spline = spline_of_surface(word), .options = parser_options(p)->nurbs };
+    SurfaceDraft s = { .spline = spline_of_surface("nurbs", word), .options = parser_options(p)->nurbs };
     Spline *n = &s.spline;
     read_header(p, n);
     for (int d = 0; d < 2; d++) {
         n->knots[d].word = here(p);
-        for (int i = 0; i < n->count[d] + n->order[d]; i++) spline_read_knot(p, &n->knots[d], "nurbs"), accept_comma(p);
+        for (int i = 0; i < n->count[d] + n->order[d]; i++) spline_add_knot(p, n, d), accept_comma(p);
     }
     n->points_word = here(p);
     spline_reserve_points(p, n);
-    for (size_t i = 0; i < spline_point_count(n); i++) {
-        ARENA_PUSH(parser_arena(p), n->points, n->n_points, n->capacity) = spline_read_point(p, 3, true);
-        accept_comma(p);
-    }
-    return diag_error_count(parser_diag(p)) == errors_before ? make_draft(p, &s) : shape_stand_in(p);
+    for (size_t i = spline_point_count(n); i > 0; i--) spline_add_point(p, n, true), accept_comma(p);
+    return make_draft(p, &s);
 }
 
 /* ---- bicubic_patch ---- */

@@ -1,80 +1,107 @@
 #include "parser/spline.h"
 
-/* ---- numbers ---- */
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
 
-Spline spline_of_surface(Place word)
+Spline spline_of_surface(const char *name, Place word)
 {
-    return (Spline){ .n_directions = 2, .n_coordinates = 3, .knots_names = { "knots_u", "knots_v" }, .word = word };
+    return (Spline){ .n_directions = 2, .n_coordinates = 3, .name = name, .knots_names = { "knots_u", "knots_v" },
+                     .word = word };
 }
 
 Spline spline_of_curve(Place word)
 {
-    return (Spline){ .n_directions = 1, .n_coordinates = 2, .knots_names = { "knots", "" }, .word = word };
+    return (Spline){ .n_directions = 1, .n_coordinates = 2, .name = "curve", .knots_names = { "knots" }, .word = word };
 }
 
-static void refuse_second(Parser *p, Place first, Place second, const char *word)
+void spline_fault(Parser *p, Spline *s, Place where, const char *format, ...)
 {
-    if (place_is_known(first)) parse_error(p, second, "'%s' is given twice (first on line %u)", word, first.line);
+    char message[256];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(message, sizeof message, format, arguments);
+    va_end(arguments);
+    s->is_faulty = true;
+    parse_error(p, where, "%s", message);
 }
 
-void spline_read_knot(Parser *p, NumberList *list, const char *name)
+static void refuse_second(Parser *p, Spline *s, Place first, Place second, const char *word)
 {
+    if (place_is_known(first)) spline_fault(p, s, second, "'%s' is given twice (first on line %u)", word, first.line);
+}
+
+/* ---- knots ---- */
+
+void spline_add_knot(Parser *p, Spline *s, int direction)
+{
+    NumberList *list = &s->knots[direction];
+    const char *name = s->knots_names[direction];
     Place where = here(p);
     double x = parse_float(p);
-    if (!isfinite(x)) parse_error(p, where, "expected a finite number in %s, found %g", name, x);
+    if (!isfinite(x)) spline_fault(p, s, where, "expected a finite number in %s, found %g", name, x);
     else if (list->n > 0 && x < list->x[list->n - 1])
-        parse_error(p, where, "expected at least %g in %s, found %g", list->x[list->n - 1], name, x);
+        spline_fault(p, s, where, "expected at least %g in %s, found %g", list->x[list->n - 1], name, x);
     ARENA_PUSH(parser_arena(p), list->x, list->n, list->capacity) = x;
     ARENA_PUSH(parser_arena(p), list->places, list->n_places, list->places_capacity) = where;
 }
 
-static void read_knots(Parser *p, NumberList *list, const char *name, Place word)
+static void read_knots(Parser *p, Spline *s, int direction, Place word)
 {
-    refuse_second(p, list->word, word, name);
-    *list = (NumberList){ .word = word };
+    const char *name = s->knots_names[direction];
+    refuse_second(p, s, s->knots[direction].word, word, name);
+    s->knots[direction] = (NumberList){ .word = word };
     Place opened = expect_open(p, name);
     while (starts_expression(p)) {
-        spline_read_knot(p, list, name);
+        spline_add_knot(p, s, direction);
         accept_comma(p);
     }
     expect_close(p, '}', name, opened);
 }
 
-/* `order` and `degree` differ by one; the message speaks the scene's word. */
+/* ---- order, degree ---- */
+
+/* They differ by `more`; the message speaks the scene's word. An order that is not one is left 0. */
 static void read_order(Parser *p, Spline *s, Place word, const char *name, int more)
 {
-    refuse_second(p, s->order_word, word, name);
+    int least = NURBS_MIN_ORDER - more, most = NURBS_MAX_ORDER - more;
+    refuse_second(p, s, s->order_word, word, name);
     s->order_word = word;
     for (int d = 0; d < s->n_directions; d++) {
         if (d > 0) accept_comma(p);
         Place where = here(p);
-        s->order[d] = parse_int(p);
-        if (s->order[d] < NURBS_MIN_ORDER - more || s->order[d] > NURBS_MAX_ORDER - more) {
-            parse_error(p, where, "expected %s of %d to %d, found %d", more ? "a degree" : "an order",
-                        NURBS_MIN_ORDER - more, NURBS_MAX_ORDER - more, s->order[d]);
-            s->order[d] = 0;
-            continue;
-        }
-        s->order[d] += more;
+        int n = parse_int(p);
+        s->order[d] = n + more;
+        if (n >= least && n <= most) continue;
+        s->order[d] = 0;
+        spline_fault(p, s, where, "expected %s %s of %d to %d, found %d", more ? "a" : "an", name, least, most, n);
     }
 }
 
+/* ---- points ---- */
+
 /* Coordinates, and a weight where it is given and allowed. */
-Vec4 spline_read_point(Parser *p, int n_coordinates, bool may_have_weight)
+static Vec4 read_point(Parser *p, Spline *s, bool may_have_weight)
 {
     Place where = here(p);
     double c[5];
-    int n = parse_vector(p, c);
-    if (n != n_coordinates && !(may_have_weight && n == n_coordinates + 1)) {
-        parse_error(p, where, "expected a point of %d coordinates%s, found %d", n_coordinates,
-                    may_have_weight ? " with or without a weight" : "", n);
+    int n = parse_vector(p, c), expected = s->n_coordinates;
+    if (n != expected && !(may_have_weight && n == expected + 1)) {
+        spline_fault(p, s, where, "expected a point of %d coordinates%s, found %d numbers", expected,
+                     may_have_weight ? ", with or without a weight" : "", n);
         return vec4(0, 0, 0, 1);
     }
-    double weight = n > n_coordinates ? c[n_coordinates] : 1;
-    if (!(weight > 0 && isfinite(weight))) parse_error(p, where, "expected a positive, finite weight, found %g", weight);
-    for (int i = 0; i < n_coordinates; i++)
-        if (!isfinite(c[i])) parse_error(p, where, "expected finite coordinates, found %g", c[i]);
-    return vec4(c[0], c[1], n_coordinates > 2 ? c[2] : 0, weight);
+    double weight = n > expected ? c[expected] : 1;
+    if (!(weight > 0 && isfinite(weight))) spline_fault(p, s, where, "expected a positive, finite weight, found %g", weight);
+    for (int i = 0; i < expected; i++)
+        if (!isfinite(c[i])) spline_fault(p, s, where, "expected finite coordinates, found %g", c[i]);
+    return vec4(c[0], c[1], expected > 2 ? c[2] : 0, weight);
+}
+
+void spline_add_point(Parser *p, Spline *s, bool may_have_weight)
+{
+    Vec4 point = read_point(p, s, may_have_weight);
+    ARENA_PUSH(parser_arena(p), s->points, s->n_points, s->capacity) = point;
 }
 
 size_t spline_point_count(const Spline *s)
@@ -84,7 +111,7 @@ size_t spline_point_count(const Spline *s)
     return n;
 }
 
-/* Room for what the scene announces; what is absurd grows as it is read. */
+/* What is absurd grows as it is read. */
 void spline_reserve_points(Parser *p, Spline *s)
 {
     enum { MOST = 1 << 16 };
@@ -94,17 +121,20 @@ void spline_reserve_points(Parser *p, Spline *s)
     s->n_points = 0;
 }
 
-static void check_point_count(Parser *p, const Spline *s)
+static void check_point_count(Parser *p, Spline *s)
 {
-    if (s->n_points == spline_point_count(s)) return;
-    if (s->n_directions == 1) parse_error(p, s->points_word, "expected %d points, found %zu", s->count[0], s->n_points);
-    else parse_error(p, s->points_word, "expected %zu points (%d x %d), found %zu", spline_point_count(s), s->count[0],
-                     s->count[1], s->n_points);
+    size_t expected = spline_point_count(s);
+    if (s->n_points == expected) return;
+    if (s->n_directions == 1)
+        spline_fault(p, s, s->points_word, "expected %d points, found %zu", s->count[0], s->n_points);
+    else
+        spline_fault(p, s, s->points_word, "expected %zu points (%d x %d), found %zu", expected, s->count[0], s->count[1],
+                     s->n_points);
 }
 
 static void read_points(Parser *p, Spline *s, Place word)
 {
-    refuse_second(p, s->points_word, word, "points");
+    refuse_second(p, s, s->points_word, word, "points");
     s->points_word = word;
     for (int d = 0; d < s->n_directions; d++) {
         if (d > 0) accept_comma(p);
@@ -113,7 +143,7 @@ static void read_points(Parser *p, Spline *s, Place word)
     spline_reserve_points(p, s);
     Place opened = expect_open(p, "points");
     while (starts_expression(p)) {
-        ARENA_PUSH(parser_arena(p), s->points, s->n_points, s->capacity) = spline_read_point(p, s->n_coordinates, true);
+        spline_add_point(p, s, true);
         accept_comma(p);
     }
     expect_close(p, '}', "points", opened);
@@ -127,36 +157,45 @@ bool spline_read_item(Parser *p, Spline *s)
     if (accept_word(p, "degree")) return read_order(p, s, word, "degree", 1), true;
     if (accept_word(p, "points")) return read_points(p, s, word), true;
     for (int d = 0; d < s->n_directions; d++)
-        if (accept_word(p, s->knots_names[d])) return read_knots(p, &s->knots[d], s->knots_names[d], word), true;
+        if (accept_word(p, s->knots_names[d])) return read_knots(p, s, d, word), true;
     return false;
 }
 
 /* ---- what the numbers say of each other ---- */
 
-static bool check_given(Parser *p, const Spline *s, const char *what, Place given, const char *name)
+/* Appends " NAME," to the list of what is missing. */
+static void note_missing(char list[], size_t size, Place given, const char *name)
 {
-    if (!place_is_known(given)) parse_error(p, s->word, "%s needs '%s'", what, name);
-    return place_is_known(given);
+    size_t n = strlen(list);
+    if (!place_is_known(given)) snprintf(list + n, size - n, "%s %s", n > 0 ? "," : "", name);
 }
 
-static void check_direction(Parser *p, const Spline *s, int d)
+static bool check_given(Parser *p, Spline *s)
+{
+    char missing[64] = "";
+    note_missing(missing, sizeof missing, s->order_word, "order");
+    for (int d = 0; d < s->n_directions; d++) note_missing(missing, sizeof missing, s->knots[d].word, s->knots_names[d]);
+    note_missing(missing, sizeof missing, s->points_word, "points");
+    if (missing[0]) spline_fault(p, s, s->word, "%s lacks%s", s->name, missing);
+    return !missing[0];
+}
+
+static void check_direction(Parser *p, Spline *s, int d)
 {
     static const char *const along[2] = { " along u", " along v" };
     const NumberList *knots = &s->knots[d];
     int order = s->order[d], count = s->count[d];
     if (order == 0) return;   /* reported already, and nothing can be expected of the others */
     if (count < order)
-        parse_error(p, s->points_word, "expected at least %d points%s (order %d), found %d", order,
-                    s->n_directions > 1 ? along[d] : "", order, count);
+        spline_fault(p, s, s->points_word, "expected at least %d points%s (order %d), found %d", order,
+                     s->n_directions > 1 ? along[d] : "", order, count);
     else if (knots->n != (size_t)count + (size_t)order)
-        parse_error(p, knots->word, "expected %d numbers in %s (%d points + order %d), found %zu", count + order,
-                    s->knots_names[d], count, order, knots->n);
+        spline_fault(p, s, knots->word, "expected %d numbers in %s (%d points + order %d), found %zu", count + order,
+                     s->knots_names[d], count, order, knots->n);
 }
 
-void spline_check(Parser *p, const Spline *s, const char *what)
+void spline_check(Parser *p, Spline *s)
 {
-    bool all = check_given(p, s, what, s->order_word, "order");
-    all = check_given(p, s, what, s->points_word, "points") && all;
-    for (int d = 0; d < s->n_directions; d++) all = check_given(p, s, what, s->knots[d].word, s->knots_names[d]) && all;
-    for (int d = 0; all && d < s->n_directions; d++) check_direction(p, s, d);
+    if (!check_given(p, s)) return;
+    for (int d = 0; d < s->n_directions; d++) check_direction(p, s, d);
 }

@@ -44,6 +44,18 @@ Box box_of_points(const Vec3 *points, int n)
 
 Box box_from(Vec3 lo, Vec3 hi) { return box_add_point(box_add_point(box_empty(), lo), hi); }
 
+/* The double next to the rounded sum is beyond the exact one. */
+Box box_around(Vec3 centre, Vec3 half)
+{
+    const double c[3] = { centre.x, centre.y, centre.z }, h[3] = { half.x, half.y, half.z };
+    Box b;
+    for (int k = 0; k < 3; k++) {
+        b.lo[k] = float_down(nextafter(c[k] - h[k], -INFINITY));
+        b.hi[k] = float_up(nextafter(c[k] + h[k], INFINITY));
+    }
+    return b;
+}
+
 Box box_union(Box a, Box b)
 {
     for (int k = 0; k < 3; k++) {
@@ -114,11 +126,11 @@ BoxRay box_ray(Vec3 origin, Vec3 dir)
 }
 
 /* The slab method [KK86], with care at its edges:
- * - dir[k] = +-0: inverse is an infinity of that sign. A slab that holds the origin gives (-inf, inf); one that does not gives
- *   two infinities of one sign, and no hit. An origin in a face gives 0 * inf = NaN there, which the comparisons pass over:
- *   the face belongs to the box.
- * - (bound - origin) * inverse has three roundings, so a relative error of at most 3u + O(u^2), u = 2^-53; the products are
- *   moved outward by WIDEN = 8u of themselves, which covers the roundings of the move as well. */
+ * - dir[k] = +-0: inverse is an infinity of that sign. A slab that holds the origin gives (-inf, inf); one that does not
+ *   gives two infinities of one sign, and no hit. An origin in a face gives 0 * inf = NaN there, which the comparisons
+ *   pass over: the face belongs to the box.
+ * - (bound - origin) * inverse has three roundings, so a relative error of at most 3u + O(u^2), u = 2^-53; the products
+ *   are moved outward by WIDEN = 8u of themselves, which covers the roundings of the move as well. */
 bool box_hit(const Box *b, const BoxRay *r, double t_min, double t_max, double *t_enter)
 {
     static const double WIDEN = 8 * 0x1p-53;

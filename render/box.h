@@ -13,6 +13,7 @@ Box box_empty(void);
 Box box_infinite(void);
 Box box_of_points(const Vec3 *points, int n);
 Box box_from(Vec3 lo, Vec3 hi);                /* corners in any order */
+Box box_around(Vec3 centre, Vec3 half);        /* centre - half to centre + half, half >= 0 */
 Box box_union(Box a, Box b);
 Box box_intersection(Box a, Box b);            /* may be empty */
 Box box_add_point(Box b, Vec3 p);

@@ -1,8 +1,9 @@
 /* Bounding volume hierarchy: built top down in one array, two children side by side; traversed with a stack.
  *
  * Two ways to split: [MCFS00] section 2.2 (sort the boxes along the axis of greatest extent, split them in half), and the
- * surface area heuristic over bins ([Wal07]). Both halve at the latest below SAH_MAX_DEPTH, which bounds the depth of every
- * tree, and so the traversal's stack, whatever the boxes are. Ties are broken by index: the tree depends on the boxes alone. */
+ * surface area heuristic over bins ([Wal07]). Both halve at the latest below SAH_MAX_DEPTH, which bounds the depth of
+ * every tree, and so the traversal's stack, whatever the boxes are. Ties are broken by index: the tree depends on the
+ * boxes alone. */
 #include "render/bvh.h"
 
 #include <assert.h>
@@ -222,7 +223,8 @@ static Bvh *finish(Arena *a, const Builder *b, uint32_t n_items)
 Bvh *bvh_build(Arena *a, const Box *boxes, uint32_t n, BvhSplit split)
 {
     Arena *scratch = arena_new();                 /* freed here: the tree itself lies close together in a */
-    Builder b = { .items = ARENA_ARRAY(scratch, Item, n), .nodes = ARENA_ARRAY(scratch, Node, 2 * (size_t)n), .split = split };
+    Builder b = { .items = ARENA_ARRAY(scratch, Item, n), .split = split };
+    b.nodes = ARENA_ARRAY(scratch, Node, 2 * (size_t)n);
     uint32_t n_items = gather(boxes, n, b.items);
     if (n_items > 0) {
         b.n_nodes = 1;

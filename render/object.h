@@ -17,6 +17,7 @@ struct Object {
     const Texture *interior_texture;   /* seen from inside; NULL: `texture` there too */
     const Interior *interior;      /* NULL: none given here */
     bool has_uv_mapping, no_shadow, no_image, no_reflection, is_inverse, is_hollow, double_illuminate;
+    unsigned looks;                /* object_looks keeps its answer here */
 };
 
 /* A plain object round a shape, with identity transformations. Fill in the rest before the first ray. If the tree below
@@ -32,6 +33,17 @@ void object_transform(Object *o, const Xform *x);
 
 /* Is s an Object? */
 bool shape_is_object(const Shape *s);
+
+/* What there is somewhere in an object, compounds below included: what a ray through it may ask for. Walks shared nodes
+ * once; o and all below it must not change afterwards. */
+enum {
+    LOOKS_KNOWN = 1,
+    LOOKS_UNTEXTURED = 2,          /* something without a texture: it will have the default */
+    LOOKS_CLEAR = 4,               /* a texture that lets light through */
+    LOOKS_REFLECTING = 8,
+    LOOKS_NO_SHADOW = 16
+};
+unsigned object_looks(Object *o);
 
 /* The appearance of a hit: the innermost object on the way that has what is asked for. */
 const Object *hit_textured_object(const Hit *h);     /* NULL: no texture anywhere: the default texture */

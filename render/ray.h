@@ -19,7 +19,7 @@ static inline Vec3 ray_at(const Ray *r, double t) { return vec_add(r->origin, ve
 
 typedef struct {
     double t;                /* INFINITY: nothing yet */
-    double t_error;          /* |t - true t| is at most this, in units of dir */
+    double t_error;          /* the point at t is within t_error * |dir| of the surface (exact arithmetic at that t) */
     double u, v;             /* parameters on the shape, if it has any */
     const Shape *shape;      /* the primitive that was hit */
     uint32_t leaf;           /* which part of it (a NURBS leaf, a face of a mesh or box) */
@@ -35,10 +35,21 @@ static inline void hit_set(Hit *h, double t, double t_error, double u, double v,
     h->shape = shape, h->leaf = leaf, h->index = 0, h->n_objects = 0;
 }
 
+/* How far along the geometric normal, to the side it leaves for, a new ray must start so that with t_min 0 it does not meet
+ * the surface that r hit at h. The point that ray_at computes is within t_error |dir| of the surface, and within 2u (|o| +
+ * t |dir|) a coordinate of the exact point at t (two roundings; u = 2^-53; 4u covers three coordinates). The new ray's own
+ * hit has an error of that size again: hence twice the sum. */
+static inline double hit_offset(const Hit *h, const Ray *r)
+{
+    double length = vec_length(r->dir);
+    return 2 * (h->t_error * length + 4 * 0x1p-53 * (vec_length(r->origin) + h->t * length));
+}
+
 typedef struct {
     Vec3 normal;             /* of the surface itself, unit length, in the space of the shape; side as the shape likes */
     Vec3 shading_normal;     /* what light sees: interpolated on smooth triangles, else equal to normal */
-    Vec2 uv;                 /* for uv_mapping and `shoot`; NURBS: scaled to [0, 1] over the domain */
+    Vec2 uv;                 /* for uv_mapping and `shoot`; NURBS: scaled to [0, 1] over the domain. A shape without any of
+                                its own leaves it alone: hit_attributes has put the world's x and y there, as POV-Ray does */
 } Attributes;
 
 #endif

@@ -1,7 +1,8 @@
-/* Real roots up to the quartic. Between two neighbouring extrema a polynomial is monotone: it has one root there if its signs
- * at the two ends differ, none if they agree. So the roots of the derivative (found in the same way, down to the quadratic)
- * isolate the roots, and a bracketed Newton iteration finds each of them: no trigonometry, no resolvent, no case that loses
- * digits. Where a value is within its own rounding error it counts as zero, which is how double roots are seen. */
+/* Real roots up to the quartic. Between two neighbouring extrema a polynomial is monotone: it has one root there if its
+ * signs at the two ends differ, none if they agree. So the roots of the derivative (found in the same way, down to the
+ * quadratic) isolate the roots, and a bracketed Newton iteration finds each of them: no trigonometry, no resolvent, no
+ * case that loses digits. Where a value is within its own rounding error it counts as zero, which is how double roots are
+ * seen. */
 #include "render/roots.h"
 
 #include <math.h>
@@ -31,8 +32,8 @@ static int sign_at(int n, const double *c, double x)
     return e.value > e.error ? 1 : e.value < -e.error ? -1 : 0;
 }
 
-/* The root in (lo, hi), where the polynomial is monotone and rising if `rises`: Newton's steps while they stay in the bracket
- * and shrink it, halving otherwise; ends when the step no longer moves x. */
+/* The root in (lo, hi), where the polynomial is monotone and rising if `rises`: Newton's steps while they stay in the
+ * bracket and shrink it, halving otherwise; ends when the step no longer moves x. */
 static double bracketed_root(int n, const double *c, double lo, double hi, bool rises)
 {
     double x = lo + .5 * (hi - lo), before = hi - lo;
@@ -98,7 +99,8 @@ int roots_quadratic(const double given[3], double x[2])
     return 2;
 }
 
-/* What the walk from extremum to extremum remembers: the last sign that was not zero, and the points since then that were. */
+/* What the walk from extremum to extremum remembers: the last sign that was not zero, and the points since then that
+ * were. */
 typedef struct { int sign, n_zeros, n; double zero, *x; } Walk;
 
 /* The next point of the walk: nothing, one crossing, or a touch. */

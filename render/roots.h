@@ -1,12 +1,12 @@
-/* Real roots of polynomials up to degree 4: found between the extrema, which are the roots of the derivative, as in [Yuk22];
- * the quadratic in closed form without cancellation ([Gol91], section 1.4).
+/* Real roots of polynomials up to degree 4: found between the extrema, which are the roots of the derivative, as in
+ * [Yuk22]; the quadratic in closed form without cancellation ([Gol91], section 1.4).
  *
- * Coefficients are in ascending order: c[0] + c[1] x + ... + c[n] x^n. Leading coefficients may be 0: the polynomial is then
- * of a lower degree. Coefficients must be finite. Results are ascending. A simple root is listed once; a point where the
- * polynomial touches zero without crossing is listed twice (so that the parity of the count is that of the crossings);
- * an inflection on the axis once. Touching is judged by the rounding error of evaluating the polynomial there: at
- * each listed x there are coefficients within a relative 2^-49 of those given for which x is a root. The zero polynomial has no
- * roots here. */
+ * Coefficients are in ascending order: c[0] + c[1] x + ... + c[n] x^n. Leading coefficients may be 0: the polynomial is
+ * then of a lower degree. Coefficients must be finite. Results are ascending. A simple root is listed once; a point where
+ * the polynomial touches zero without crossing is listed twice (so that the parity of the count is that of the
+ * crossings); an inflection on the axis once. Touching is judged by the rounding error of evaluating the polynomial
+ * there: at each listed x there are coefficients within a relative 2^-49 of those given for which x is a root. The zero
+ * polynomial has no roots here. */
 #ifndef TRIMRAY_ROOTS_H
 #define TRIMRAY_ROOTS_H
 

@@ -10,7 +10,7 @@
 
 typedef enum { GAMMA_NONE, GAMMA_POWER, GAMMA_SRGB } GammaKind;   /* the working space; NONE: no transfer at all */
 
-typedef struct {                                  /* povray-facts section 8 */
+typedef struct {                                  /* the last pigment is the nearest */
     const Pigment *const *pigments;               /* as written: the last first seen */
     int n_pigments;
     Xform space;
@@ -29,7 +29,7 @@ typedef struct {
     Light *lights;
     size_t n_lights, lights_capacity;
     Camera camera;
-    Color background;
+    Color background;                             /* black with transmit 1 where not given: clear in files with alpha */
     const SkySphere *sky;                         /* NULL: none */
     const Fog *fogs;
     size_t n_fogs, fogs_capacity;
@@ -42,9 +42,8 @@ typedef struct {
     const Texture *default_texture;               /* of objects that have none */
 
     /* Made by scene_prepare: */
-    Shape *root;                                  /* the finite objects under one tree, and the others */
     bool needs_shadow_rays, needs_secondary_rays; /* what no light and no texture asks for is left out */
-    struct SceneTree *tree;
+    struct SceneTree *tree;                       /* the finite objects under one tree, and the others */
 } Scene;
 
 Scene *scene_new(Arena *a);                       /* with POV-Ray's defaults */
@@ -55,11 +54,15 @@ void scene_add_light(Scene *s, const Light *l);
 void scene_prepare(Scene *s);
 void scene_release(Scene *s);                     /* what prepared shapes hold; the arena is the caller's */
 
-/* The nearest hit in (r->t_min, INFINITY); `camera` rays pass objects with no_image, others those with no_reflection. */
+/* The nearest hit in (r->t_min, INFINITY). Objects with no_image are hidden from the camera, also through transparent ones;
+ * objects with no_reflection from reflected rays (and from what is transmitted after a reflection: call that reflected). The
+ * flags count on the objects of the scene, not on parts of their compounds. */
 typedef enum { RAY_CAMERA, RAY_REFLECTED, RAY_TRANSMITTED } RayKind;
 bool scene_hit(const Scene *s, const Ray *r, RayKind kind, Hit *best, Trace *t);
 
-/* Does anything opaque lie in (r->t_min, t_max)? Transparent blockers do not count here: see shade.c. */
+/* Does anything opaque lie in (r->t_min, t_max)? If not, *nearest is the nearest transparent blocker there (t INFINITY:
+ * none): shadow.c filters the light by it and asks again beyond it (an opaque part of the same object may be found only
+ * then). Objects with no_shadow do not count. */
 bool scene_hit_shadow(const Scene *s, const Ray *r, double t_max, Hit *nearest, Trace *t);
 
 #endif

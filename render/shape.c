@@ -12,8 +12,8 @@ void shape_init(Shape *s, const ShapeType *type)
     atomic_init(&s->state, type->prepare ? SHAPE_RAW : SHAPE_READY);
 }
 
-/* One lock for all shapes: it is held for a few instructions, once or twice in a shape's life. Waiting cannot come round in a
- * circle, because a shape only ever prepares what lies below it. */
+/* One lock for all shapes: it is held for a few instructions, once or twice in a shape's life. Waiting cannot come round
+ * in a circle, because a shape only ever prepares what lies below it. */
 static pthread_mutex_t prepare_lock = PTHREAD_MUTEX_INITIALIZER;
 static pthread_cond_t prepare_done = PTHREAD_COND_INITIALIZER;
 

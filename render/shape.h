@@ -26,7 +26,7 @@ typedef struct MeshSink MeshSink;   /* receives triangles, for export */
 typedef struct {
     const char *name;   /* the scene's word, and the key in --stats */
     Box  (*bounds)    (const Shape *s);                                       /* contains every hit; pure; before prepare */
-    void (*prepare)   (Shape *s, Arena *own, Trace *t);   /* once, when a first ray reaches the bounds; NULL: nothing to do */
+    void (*prepare)   (Shape *s, Arena *own, Trace *t);   /* once, when a first ray reaches the bounds; NULL: nothing */
     bool (*hit)       (const Shape *s, const Ray *r, Hit *best, Trace *t);    /* nearest in (r->t_min, best->t) */
     bool (*blocks)    (const Shape *s, const Ray *r, double t_max, Trace *t); /* any in (r->t_min, t_max); NULL: by hit() */
     int  (*all_hits)  (const Shape *s, const Ray *r, HitList *out, Trace *t); /* in order of t; NULL: hit() repeated */

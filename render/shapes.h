@@ -15,7 +15,7 @@ Shape *torus_new(Arena *a, double major, double minor);        /* about the y ax
 Shape *triangle_new(Arena *a, const Vec3 p[3]);
 Shape *smooth_triangle_new(Arena *a, const Vec3 p[3], const Vec3 n[3]);
 
-/* All surfaces of its parts, in their order; parts are borrowed. */
+/* All surfaces of its parts, in their order; the parts are borrowed and must be in their final place, the list is copied. */
 Shape *union_new(Arena *a, Shape *const parts[], uint32_t n);
 
 #endif

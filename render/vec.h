@@ -22,6 +22,7 @@ static inline Vec3 vec_cross(Vec3 a, Vec3 b)
 static inline double vec_length2(Vec3 a) { return vec_dot(a, a); }
 static inline double vec_length(Vec3 a) { return sqrt(vec_length2(a)); }
 static inline double vec_max_abs(Vec3 a) { return fmax(fabs(a.x), fmax(fabs(a.y), fabs(a.z))); }
+static inline int vec_is_finite(Vec3 a) { return isfinite(a.x) && isfinite(a.y) && isfinite(a.z); }
 
 /* a / |a| for any finite a, however large or small (scaled first, so that nothing over- or underflows); 0 stays 0. */
 static inline Vec3 vec_normalize(Vec3 a)

@@ -192,11 +192,12 @@ Vec3 xform_unpoint(const Xform *x, Vec3 p) { return affine_point(&x->backward, p
 Vec3 xform_unvector(const Xform *x, Vec3 v) { return affine_vector(&x->backward, v); }
 Vec3 xform_unnormal(const Xform *x, Vec3 n) { return normal_by_inverse(&x->forward, n); }
 
-/* Each side of the image is a sum of extreme products (a corner of b for each output axis, [Arv90]); the sum's rounding,
- * at most 4u of the magnitudes, is added outward. */
+/* Each side of the image is a sum of extreme products (a corner of b for each output axis, [Arv90]). Added outward: the
+ * sum's rounding, at most 4u of the magnitudes, and as much for each of some 15 maps that x may be composed of, because
+ * rays go the other way, through an inverse that was composed and rounded apart. */
 Box xform_box(const Xform *x, Box b)
 {
-    static const double ROUNDING = 4 * 0x1p-53;
+    static const double ROUNDING = 64 * 0x1p-53;
     if (box_is_empty(b)) return box_empty();
     Box out;
     for (int k = 0; k < 3; k++) {

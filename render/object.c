@@ -1,0 +1,255 @@
+/* Objects: the nodes that carry placement and appearance. A ray is taken into the space of the child by the inverse of the
+ * placement, its direction not normalized, so that t means the same on both sides; on the way out of a hit each object adds
+ * itself to the hit's chain. What a hit looks like is found along that chain, innermost first. */
+#include "render/object.h"
+
+#include <assert.h>
+
+/* ---- the object as a shape ---- */
+
+static Box object_bounds(const Shape *shape)
+{
+    const Object *o = (const Object *)shape;
+    Box b = shape_bounds(o->child);
+    return o->is_placed ? xform_box(&o->placement, b) : b;
+}
+
+static Ray ray_within(const Object *o, const Ray *r)
+{
+    if (!o->is_placed) return *r;
+    return (Ray){ xform_unpoint(&o->placement, r->origin), xform_unvector(&o->placement, r->dir), r->t_min };
+}
+
+/* At most by how much a map stretches a vector: the square root of the largest row sum times the largest column sum
+ * bounds the Euclidean norm; it is exact for a scaling along the axes, and within sqrt(3) for a rotation. */
+static double stretch(const Affine *a)
+{
+    double row = 0, column = 0;
+    for (int i = 0; i < 3; i++) {
+        row = fmax(row, fabs(a->m[i][0]) + fabs(a->m[i][1]) + fabs(a->m[i][2]));
+        column = fmax(column, fabs(a->m[0][i]) + fabs(a->m[1][i]) + fabs(a->m[2][i]));
+    }
+    return sqrt(row * column);
+}
+
+/* The distance from the surface as it is outside: that of the child's hit, and what rounding the ray on its way in may
+ * have moved it (four terms a coordinate: 4u of their magnitudes, a matrix that is itself rounded included: 8u), both
+ * stretched. */
+static double error_outside(const Object *o, const Ray *r, const Ray *within, const Hit *h)
+{
+    static const double ROUNDING = 8 * 0x1p-53;
+    const Affine *in = &o->placement.backward;
+    double length = vec_length(r->dir), shift = vec_length(vec(in->m[3][0], in->m[3][1], in->m[3][2]));
+    double moved = ROUNDING * (stretch(in) * (vec_length(r->origin) + h->t * length) + shift);
+    return stretch(&o->placement.forward) * (h->t_error * vec_length(within->dir) + moved) / length;
+}
+
+static bool object_hit(const Shape *shape, const Ray *r, Hit *best, Trace *t)
+{
+    const Object *o = (const Object *)shape;
+    Ray within = ray_within(o, r);
+    if (!shape_hit(o->child, &within, best, t)) return false;
+    if (o->is_placed) best->t_error = error_outside(o, r, &within, best);
+    assert(best->n_objects < HIT_MAX_OBJECTS);
+    best->objects[best->n_objects++] = o;
+    return true;
+}
+
+static bool object_blocks(const Shape *shape, const Ray *r, double t_max, Trace *t)
+{
+    const Object *o = (const Object *)shape;
+    Ray within = ray_within(o, r);
+    return shape_blocks(o->child, &within, t_max, t);
+}
+
+static bool object_inside(const Shape *shape, Vec3 p)
+{
+    const Object *o = (const Object *)shape;
+    if (!o->child->type->inside) return false;
+    return o->child->type->inside(o->child, o->is_placed ? xform_unpoint(&o->placement, p) : p) != o->is_inverse;
+}
+
+static uint32_t object_parts(const Shape *shape, Shape *const **list)
+{
+    *list = &((const Object *)shape)->child;
+    return 1;
+}
+
+static const ShapeType object_type = {
+    .name = "object", .bounds = object_bounds, .hit = object_hit, .blocks = object_blocks, .inside = object_inside,
+    .parts = object_parts,
+};
+
+bool shape_is_object(const Shape *s) { return s->type == &object_type; }
+
+/* ---- building ---- */
+
+static Object *wrap(Arena *a, Shape *child)
+{
+    Object *o = ARENA_NEW(a, Object);
+    shape_init(&o->shape, &object_type);
+    o->shape.n_primitives = child->n_primitives;
+    o->shape.depth = child->depth + 1;
+    o->child = child;
+    o->placement = o->texture_space = xform_identity();
+    return o;
+}
+
+static Object *copy(Arena *a, const Object *o)
+{
+    Object *c = wrap(a, o->child);
+    c->placement = o->placement;
+    c->is_placed = o->is_placed;
+    c->texture = o->texture;
+    c->texture_space = o->texture_space;
+    c->interior_texture = o->interior_texture;
+    c->interior = o->interior;
+    c->has_uv_mapping = o->has_uv_mapping;
+    c->no_shadow = o->no_shadow, c->no_image = o->no_image, c->no_reflection = o->no_reflection;
+    c->is_inverse = o->is_inverse, c->is_hollow = o->is_hollow, c->double_illuminate = o->double_illuminate;
+    return c;
+}
+
+void object_transform(Object *o, const Xform *x)
+{
+    o->placement = xform_then(o->placement, *x);
+    o->texture_space = xform_then(o->texture_space, *x);
+    o->is_placed = !xform_is_identity(&o->placement);
+}
+
+/* One object in place of two, `inner` within `outer`: it looks as a hit through both would look. */
+static Object *merge(Arena *a, const Object *outer, const Object *inner)
+{
+    Object *o = copy(a, inner);
+    object_transform(o, &outer->placement);
+    if (!inner->texture) {
+        o->texture = outer->texture;
+        o->texture_space = outer->texture_space;
+        o->interior_texture = outer->interior_texture;
+        o->has_uv_mapping = outer->has_uv_mapping;
+    }
+    if (!inner->interior) o->interior = outer->interior;
+    o->no_shadow |= outer->no_shadow, o->no_image |= outer->no_image, o->no_reflection |= outer->no_reflection;
+    o->is_inverse ^= outer->is_inverse, o->is_hollow |= outer->is_hollow, o->double_illuminate |= outer->double_illuminate;
+    return o;
+}
+
+/* An equal of o with one level less: o merged into what lies directly below it. */
+static Shape *distribute(Arena *a, const Object *o)
+{
+    if (shape_is_object(o->child)) return &merge(a, o, (const Object *)o->child)->shape;
+    Shape *const *parts;
+    uint32_t n = o->child->type->parts(o->child, &parts);
+    Shape **merged = ARENA_ARRAY(a, Shape *, n);
+    for (uint32_t i = 0; i < n; i++) {
+        const Object *inner = shape_is_object(parts[i]) ? (const Object *)parts[i] : wrap(a, parts[i]);
+        merged[i] = &merge(a, o, inner)->shape;
+    }
+    return o->child->type->with_parts(o->child, a, merged);
+}
+
+/* An equal of s, which has objects below, with one level less. */
+static Shape *shallower(Arena *a, Shape *s)
+{
+    if (shape_is_object(s)) return distribute(a, (const Object *)s);
+    Shape *const *parts;
+    uint32_t n = s->type->parts(s, &parts);
+    Shape **changed = ARENA_ARRAY(a, Shape *, n);
+    for (uint32_t i = 0; i < n; i++) changed[i] = parts[i]->depth == s->depth ? shallower(a, parts[i]) : parts[i];
+    return s->type->with_parts(s, a, changed);
+}
+
+Object *object_new(Arena *a, Shape *child)
+{
+    return wrap(a, child->depth >= HIT_MAX_OBJECTS ? shallower(a, child) : child);
+}
+
+Object *object_copy(Arena *a, const Object *o) { return copy(a, o); }
+
+/* ---- what there is below ---- */
+
+static unsigned texture_looks(const Texture *t)
+{
+    return (texture_is_opaque(t) ? 0u : LOOKS_CLEAR) | (texture_reflects(t) ? LOOKS_REFLECTING : 0u);
+}
+
+static unsigned shape_looks(Shape *s)
+{
+    if (shape_is_object(s)) return object_looks((Object *)s);
+    if (!s->type->parts) return LOOKS_UNTEXTURED;
+    Shape *const *parts;
+    uint32_t n = s->type->parts(s, &parts);
+    unsigned looks = 0;
+    for (uint32_t i = 0; i < n; i++) looks |= shape_looks(parts[i]);
+    return looks;
+}
+
+unsigned object_looks(Object *o)
+{
+    if (o->looks & LOOKS_KNOWN) return o->looks;
+    unsigned looks = shape_looks(o->child);
+    if (o->texture && (looks & LOOKS_UNTEXTURED)) looks = (looks & ~(unsigned)LOOKS_UNTEXTURED) | texture_looks(o->texture);
+    if (o->interior_texture) looks |= texture_looks(o->interior_texture);
+    if (o->no_shadow) looks |= LOOKS_NO_SHADOW;
+    return o->looks = looks | LOOKS_KNOWN;
+}
+
+/* ---- the appearance of a hit ---- */
+
+/* The place in the hit's chain of the object whose texture counts; -1: none has one. */
+static int textured_place(const Hit *h)
+{
+    for (int i = 0; i < h->n_objects; i++)
+        if (h->objects[i]->texture) return i;
+    return -1;
+}
+
+const Object *hit_textured_object(const Hit *h)
+{
+    int i = textured_place(h);
+    return i >= 0 ? h->objects[i] : NULL;
+}
+
+const Interior *hit_interior(const Hit *h)
+{
+    for (int i = 0; i < h->n_objects; i++)
+        if (h->objects[i]->interior) return h->objects[i]->interior;
+    return NULL;
+}
+
+const Object *hit_innermost(const Hit *h) { return h->n_objects > 0 ? h->objects[0] : NULL; }
+
+bool hit_has_flag_no_shadow(const Hit *h)
+{
+    for (int i = 0; i < h->n_objects; i++)
+        if (h->objects[i]->no_shadow) return true;
+    return false;
+}
+
+Vec3 hit_texture_point(const Hit *h, Vec3 world)
+{
+    int textured = textured_place(h);
+    if (textured < 0) return world;
+    for (int i = h->n_objects - 1; i > textured; i--)
+        if (h->objects[i]->is_placed) world = xform_unpoint(&h->objects[i]->placement, world);
+    return xform_unpoint(&h->objects[textured]->texture_space, world);
+}
+
+void hit_attributes(const Hit *h, const Ray *world, Attributes *out)
+{
+    Ray r = *world;
+    for (int i = h->n_objects - 1; i >= 0; i--) r = ray_within(h->objects[i], &r);
+    Vec3 p = ray_at(world, h->t);
+    out->uv = vec2(p.x, p.y);
+    h->shape->type->attributes(h->shape, &r, h, out);
+    double side = 1;
+    for (int i = 0; i < h->n_objects; i++) {
+        const Object *o = h->objects[i];
+        if (o->is_inverse) side = -side;
+        if (!o->is_placed) continue;
+        out->normal = vec_normalize(xform_normal(&o->placement, out->normal));
+        out->shading_normal = vec_normalize(xform_normal(&o->placement, out->shading_normal));
+    }
+    out->normal = vec_scale(out->normal, side);
+    out->shading_normal = vec_scale(out->shading_normal, side);
+}

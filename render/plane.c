@@ -1,0 +1,54 @@
+/* plane { normal, distance }: the points p with n.p = d, n unit; the inside is where n.p < d.
+ *
+ * t = (d - n.o) / (n.dir). Error: the numerator is off by at most 4u (|o| + |d|), which is a distance across the plane; the
+ * slope by 3u |dir|, which moves the point by 3u t |dir|; two more roundings move it along the ray by 2u t |dir|. */
+#include "render/shapes.h"
+
+typedef struct { Shape shape; Vec3 normal; double distance; } Plane;
+
+static const double POINT_ERROR = 8 * 0x1p-53;    /* of |o| + |d| + t |dir| */
+
+/* Infinite, but a plane across an axis bounds that axis no better: it stays outside every tree. */
+static Box plane_bounds(const Shape *shape)
+{
+    (void)shape;
+    return box_infinite();
+}
+
+static bool plane_hit(const Shape *shape, const Ray *r, Hit *best, Trace *t)
+{
+    const Plane *p = (const Plane *)shape;
+    t->counters.primitive_tests++;
+    double t_hit = (p->distance - vec_dot(p->normal, r->origin)) / vec_dot(p->normal, r->dir);
+    if (!(t_hit > r->t_min && t_hit < best->t)) return false;     /* a parallel ray: infinite or NaN, which fail here */
+    double reach = (vec_length(r->origin) + fabs(p->distance)) / vec_length(r->dir);
+    hit_set(best, t_hit, POINT_ERROR * (reach + t_hit), 0, 0, shape, 0);
+    return true;
+}
+
+/* The plane itself counts as inside, as it does for POV-Ray. */
+static bool plane_inside(const Shape *shape, Vec3 point)
+{
+    const Plane *p = (const Plane *)shape;
+    return vec_dot(p->normal, point) <= p->distance;
+}
+
+static void plane_attributes(const Shape *shape, const Ray *r, const Hit *h, Attributes *out)
+{
+    (void)r, (void)h;
+    out->normal = out->shading_normal = ((const Plane *)shape)->normal;
+}
+
+static const ShapeType plane_type = {
+    .name = "plane", .bounds = plane_bounds, .hit = plane_hit, .inside = plane_inside, .attributes = plane_attributes,
+};
+
+Shape *plane_new(Arena *a, Vec3 normal, double distance)
+{
+    if (!(vec_max_abs(normal) > 0) || !vec_is_finite(normal) || !isfinite(distance)) return NULL;
+    Plane *p = ARENA_NEW(a, Plane);
+    shape_init(&p->shape, &plane_type);
+    p->normal = vec_normalize(normal);
+    p->distance = distance;
+    return &p->shape;
+}

@@ -1,0 +1,147 @@
+/* The scene: lists that the parser fills, and on them the searches of camera, secondary and shadow rays. */
+#include "render/scene.h"
+
+#include "render/shape_tree.h"
+
+/* What hides an object of the scene from a kind of ray. */
+enum {
+    NO_IMAGE = 1,
+    NO_REFLECTION = 2,
+    NOT_SURELY_OPAQUE = 4,     /* not for the any-hit search of shadow rays */
+    NEVER_FILTERS = 8          /* not for their search of transparent blockers: opaque, or without shadow */
+};
+
+struct SceneTree { ShapeTree *shapes; bool has_filters; };
+
+static const Texture *black_texture(Arena *a)
+{
+    Pigment *pigment = ARENA_NEW(a, Pigment);
+    Layer *layer = ARENA_NEW(a, Layer);
+    Texture *texture = ARENA_NEW(a, Texture);
+    *pigment = pigment_solid((Color){ 0, 0, 0, 0, 0 });
+    *layer = (Layer){ .pigment = pigment, .finish = finish_default() };
+    *texture = (Texture){ .layers = layer, .n_layers = 1 };
+    return texture;
+}
+
+Scene *scene_new(Arena *a)
+{
+    Scene *s = ARENA_NEW(a, Scene);
+    CameraDesc camera = camera_desc_default();
+    s->arena = a;
+    camera_make(&camera, &s->camera);
+    s->background = (Color){ .transmit = 1 };
+    s->ambient_light = rgb(1, 1, 1);
+    s->max_trace_level = 5;
+    s->adc_bailout = 1. / 255;
+    s->gamma = GAMMA_POWER;
+    s->gamma_power = 1;
+    s->version = 3.7;
+    s->default_texture = black_texture(a);
+    return s;
+}
+
+void scene_add_object(Scene *s, Object *o) { ARENA_PUSH(s->arena, s->objects, s->n_objects, s->objects_capacity) = o; }
+
+void scene_add_light(Scene *s, const Light *l) { ARENA_PUSH(s->arena, s->lights, s->n_lights, s->lights_capacity) = *l; }
+
+static unsigned looks_in_scene(const Scene *s, Object *o)
+{
+    unsigned looks = object_looks(o);
+    if (!(looks & LOOKS_UNTEXTURED)) return looks;
+    if (!texture_is_opaque(s->default_texture)) looks |= LOOKS_CLEAR;
+    if (texture_reflects(s->default_texture)) looks |= LOOKS_REFLECTING;
+    return looks;
+}
+
+static unsigned char flags_of(const Object *o, unsigned looks)
+{
+    unsigned flags = (o->no_image ? NO_IMAGE : 0u) | (o->no_reflection ? NO_REFLECTION : 0u);
+    bool is_mixed = !o->no_shadow && (looks & (LOOKS_CLEAR | LOOKS_NO_SHADOW));
+    if (is_mixed || o->no_shadow) flags |= NOT_SURELY_OPAQUE;
+    if (!is_mixed) flags |= NEVER_FILTERS;
+    return (unsigned char)flags;
+}
+
+static bool lights_cast_shadows(const Scene *s)
+{
+    for (size_t i = 0; i < s->n_lights; i++)
+        if (!s->lights[i].is_shadowless) return true;
+    return false;
+}
+
+/* POV-Ray tests unbounded objects first once it sorts the others into a tree: from three objects on, lights included. The
+ * order shows where surfaces coincide. */
+static const size_t SORTED_FROM = 3;
+
+void scene_prepare(Scene *s)
+{
+    uint32_t n = (uint32_t)s->n_objects;
+    Shape **shapes = ARENA_ARRAY(s->arena, Shape *, n);
+    unsigned char *flags = ARENA_ARRAY(s->arena, unsigned char, n);
+    unsigned all_looks = 0;
+    s->tree = ARENA_NEW(s->arena, struct SceneTree);
+    for (uint32_t i = 0; i < n; i++) {
+        unsigned looks = looks_in_scene(s, s->objects[i]);
+        shapes[i] = &s->objects[i]->shape;
+        flags[i] = flags_of(s->objects[i], looks);
+        s->tree->has_filters |= !(flags[i] & NEVER_FILTERS);
+        all_looks |= looks;
+    }
+    s->tree->shapes = shape_tree_build(s->arena, shapes, flags, n, s->n_objects + s->n_lights >= SORTED_FROM);
+    s->needs_shadow_rays = lights_cast_shadows(s);
+    s->needs_secondary_rays = (all_looks & (LOOKS_CLEAR | LOOKS_REFLECTING)) != 0;
+}
+
+/* Objects that are shared are released once: their looks are forgotten on the way. */
+static void release_below(Shape *s)
+{
+    if (shape_is_object(s)) {
+        Object *o = (Object *)s;
+        if (!(o->looks & LOOKS_KNOWN)) return;
+        o->looks = 0;
+    }
+    Shape *const *parts;
+    uint32_t n = s->type->parts ? s->type->parts(s, &parts) : 0;
+    for (uint32_t i = 0; i < n; i++) release_below(parts[i]);
+    shape_release(s);
+}
+
+void scene_release(Scene *s)
+{
+    for (size_t i = 0; i < s->n_objects; i++) release_below(&s->objects[i]->shape);
+    s->tree = NULL;
+}
+
+bool scene_hit(const Scene *s, const Ray *r, RayKind kind, Hit *best, Trace *t)
+{
+    best->t = INFINITY;
+    return shape_tree_hit(s->tree->shapes, r, kind == RAY_REFLECTED ? NO_REFLECTION : NO_IMAGE, best, t);
+}
+
+static bool hit_is_opaque(const Scene *s, const Hit *h)
+{
+    const Object *o = hit_textured_object(h);
+    if (!o) return texture_is_opaque(s->default_texture);
+    return texture_is_opaque(o->texture) && (!o->interior_texture || texture_is_opaque(o->interior_texture));
+}
+
+/* First whatever is wholly opaque, in any order; only then, and only in scenes that have any, those that may filter, nearest
+ * first. Parts without shadow are stepped over. */
+bool scene_hit_shadow(const Scene *s, const Ray *r, double t_max, Hit *nearest, Trace *t)
+{
+    nearest->t = INFINITY;
+    if (shape_tree_blocks(s->tree->shapes, r, NOT_SURELY_OPAQUE, t_max, t)) return true;
+    Ray rest = *r;
+    while (s->tree->has_filters) {
+        Hit h = { .t = t_max };
+        if (!shape_tree_hit(s->tree->shapes, &rest, NEVER_FILTERS, &h, t)) return false;
+        if (!hit_has_flag_no_shadow(&h)) {
+            if (hit_is_opaque(s, &h)) return true;
+            *nearest = h;
+            return false;
+        }
+        rest.t_min = h.t;
+    }
+    return false;
+}

@@ -1,0 +1,79 @@
+/* sphere { centre, radius }
+ *
+ * With f = origin - centre, |f + t d|^2 = r^2 is a t^2 - 2 b t + c = 0 with a = d.d, b = -f.d, c = |f|^2 - r^2. The
+ * discriminant b^2 - ac loses all digits for an origin far away; it equals a (r^2 - |foot|^2), where foot = f + (b/a) d is
+ * the point of the ray nearest to the centre, and that does not ([Hai19]). c is (|f| - r)(|f| + r), exact in sign beside the
+ * surface; the roots are q/a and c/q with q = b +- sqrt(a disc), which do not cancel.
+ *
+ * Error: f and its length have relative errors of 2u, so the foot is off by at most 4u|f|, disc by 2r 4u|f| + 4u r^2, which
+ * moves the point by at most 4u|f| + 2u r across the surface. Beside the surface (|f| <= 2r) c is off by 2u|f| 3r, which is
+ * 3u|f| across it; farther out c has a relative error of at most 6u, q and the division add 4u: 10u (|f| + r) along the ray.
+ * 16u (|f| + r) covers the sum. */
+#include "render/shapes.h"
+
+typedef struct { Shape shape; Vec3 centre; double radius; } Sphere;
+
+static const double POINT_ERROR = 16 * 0x1p-53;
+
+static Box sphere_bounds(const Shape *shape)
+{
+    const Sphere *s = (const Sphere *)shape;
+    return box_around(s->centre, vec(s->radius, s->radius, s->radius));
+}
+
+/* Both roots, ascending; false: the ray's line misses. */
+static bool sphere_roots(const Sphere *s, const Ray *r, Vec3 f, double root[2])
+{
+    double a = vec_length2(r->dir), b = -vec_dot(f, r->dir), distance = vec_length(f);
+    Vec3 foot = vec_add(f, vec_scale(r->dir, b / a));
+    double disc = s->radius * s->radius - vec_length2(foot);
+    if (!(disc >= 0)) return false;
+    double c = (distance - s->radius) * (distance + s->radius);
+    double q = b + copysign(sqrt(a * disc), b), x1 = q / a, x2 = c / q;
+    root[0] = fmin(x1, x2);           /* q = 0: a tangent at the origin itself; fmin passes over the NaN of 0/0 */
+    root[1] = fmax(x1, x2);
+    return true;
+}
+
+static bool sphere_hit(const Shape *shape, const Ray *r, Hit *best, Trace *t)
+{
+    const Sphere *s = (const Sphere *)shape;
+    double root[2];
+    t->counters.primitive_tests++;
+    Vec3 f = vec_sub(r->origin, s->centre);
+    if (!sphere_roots(s, r, f, root)) return false;
+    double t_hit = root[0] > r->t_min ? root[0] : root[1];
+    if (!(t_hit > r->t_min && t_hit < best->t)) return false;
+    hit_set(best, t_hit, POINT_ERROR * (vec_length(f) + s->radius) / vec_length(r->dir), 0, 0, shape, 0);
+    return true;
+}
+
+static bool sphere_inside(const Shape *shape, Vec3 p)
+{
+    const Sphere *s = (const Sphere *)shape;
+    return vec_length2(vec_sub(p, s->centre)) < s->radius * s->radius;
+}
+
+static void sphere_attributes(const Shape *shape, const Ray *r, const Hit *h, Attributes *out)
+{
+    static const double PI = 3.14159265358979323846;
+    const Sphere *s = (const Sphere *)shape;
+    Vec3 n = vec_normalize(vec_sub(ray_at(r, h->t), s->centre));
+    double u = atan2(n.z, n.x) / (2 * PI);
+    out->normal = out->shading_normal = n;
+    out->uv = vec2(u < 0 ? u + 1 : u, .5 + asin(fmax(-1, fmin(1, n.y))) / PI);
+}
+
+static const ShapeType sphere_type = {
+    .name = "sphere", .bounds = sphere_bounds, .hit = sphere_hit, .inside = sphere_inside, .attributes = sphere_attributes,
+};
+
+Shape *sphere_new(Arena *a, Vec3 centre, double radius)
+{
+    if (!(fabs(radius) > 0) || !isfinite(radius) || !vec_is_finite(centre)) return NULL;
+    Sphere *s = ARENA_NEW(a, Sphere);
+    shape_init(&s->shape, &sphere_type);
+    s->centre = centre;
+    s->radius = fabs(radius);
+    return &s->shape;
+}

@@ -1,4 +1,4 @@
-/* Cameras: POV-Ray's rules of evaluation (povray-facts section 1) and primary rays. */
+/* Cameras: POV-Ray's rules of evaluation and primary rays. */
 #ifndef TRIMRAY_CAMERA_H
 #define TRIMRAY_CAMERA_H
 
@@ -23,7 +23,7 @@ typedef struct { CameraKind kind; Vec3 location, direction, right, up; } Camera;
 
 typedef enum {
     CAMERA_OK,
-    CAMERA_ANGLE_TOO_LARGE,                 /* perspective, angle >= 180 */
+    CAMERA_ANGLE_TOO_LARGE,                 /* angle >= 180 */
     CAMERA_ANGLE_NEGATIVE,
     CAMERA_LOOKS_AT_ITSELF,                 /* look_at equals location */
     CAMERA_SKY_ALONG_DIRECTION,             /* a warning: the old right vector is kept */

@@ -11,5 +11,16 @@ static inline Rgb rgb_mul(Rgb a, Rgb b) { return rgb(a.r * b.r, a.g * b.g, a.b *
 static inline Rgb rgb_scale(Rgb a, double s) { return rgb(a.r * s, a.g * s, a.b * s); }
 static inline double rgb_grey(Rgb a) { return .297 * a.r + .589 * a.g + .114 * a.b; }   /* POV-Ray's weights */
 static inline Rgb color_rgb(Color c) { return rgb(c.r, c.g, c.b); }
+static inline double rgb_max(Rgb a)
+{
+    double m = a.r > a.g ? a.r : a.g;
+    return m > a.b ? m : a.b;
+}
+static inline Color color_lerp(Color a, Color b, double s)                   /* (1-s) a + s b, in all five components */
+{
+    double r = 1 - s;
+    return (Color){ (float)(r * a.r + s * b.r), (float)(r * a.g + s * b.g), (float)(r * a.b + s * b.b),
+                    (float)(r * a.filter + s * b.filter), (float)(r * a.transmit + s * b.transmit) };
+}
 
 #endif

@@ -1,4 +1,4 @@
-/* Light sources: POV-Ray's kinds, povray-facts section 5. */
+/* Light sources: POV-Ray's kinds. */
 #ifndef TRIMRAY_LIGHT_H
 #define TRIMRAY_LIGHT_H
 
@@ -21,6 +21,15 @@ typedef struct {
     int area_n_u, area_n_v, area_adaptive;  /* adaptive: 100 where not given */
 } Light;
 
-Light light_default(LightKind kind);
+Light light_default(LightKind kind);   /* of its kind: black, at the origin, without area */
+
+/* The light that would arrive at a point from `position` (the light's own, or a sample of its area) if nothing were in the
+ * way. */
+typedef struct {
+    Vec3 direction;                     /* unit, to the light; parallel lights: against their axis, everywhere */
+    double distance;                    /* along it to where the light is; parallel: may be negative (no blocker then) */
+    Rgb color;                          /* with fading and cones; may be black */
+} LightAt;
+LightAt light_at(const Light *l, Vec3 position, Vec3 point);
 
 #endif

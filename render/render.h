@@ -28,6 +28,8 @@ RenderOptions render_options_default(int width, int height);
 /* Fills the film. The same bytes for every number of threads. */
 RenderResult render_scene(Scene *s, const RenderOptions *o, Film *film);
 
-void render_interrupt(void);    /* from a signal handler: tiles in work are finished, no new ones begun */
+/* From a signal handler: tiles in work are finished, no new ones begun. Counts for the render that runs, or for the next one
+ * if none does. */
+void render_interrupt(void);
 
 #endif

@@ -1,4 +1,4 @@
-/* Light arriving along a ray: Whitted's recursion with POV-Ray's rules (povray-facts sections 4, 5 and 8). */
+/* Light arriving along a ray: Whitted's recursion with POV-Ray's rules. */
 #ifndef TRIMRAY_SHADE_H
 #define TRIMRAY_SHADE_H
 

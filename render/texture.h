@@ -20,6 +20,7 @@ typedef struct {
     int n_blocks;                                    /* 0: value() is in [0, 1] and goes through waves and a map; checker 2,
                                                         brick 2, hexagon 3: value() is the number of the block */
     double (*value)(const Pattern *p, Vec3 point);
+    Color blocks[3];                                 /* the colours of blocks that the scene does not give */
 } PatternType;
 
 struct Pattern {
@@ -61,7 +62,7 @@ void pigment_transform(Pigment *p, const Xform *x);
 Color pigment_color(const Pigment *p, Vec3 point, Vec2 uv);
 bool pigment_is_opaque(const Pigment *p);            /* no filter or transmit anywhere in it */
 
-/* ---- finishes: POV-Ray's names, meanings and defaults; povray-facts section 4 ---- */
+/* ---- finishes: POV-Ray's names, meanings and defaults ---- */
 
 typedef struct {
     Rgb ambient, emission;                           /* .1, 0 */

@@ -1,0 +1,72 @@
+/* Pictures as pigments. Pixels are decoded when the map is made: looking one up is an index, or four and a blend. */
+#include "render/image_map.h"
+
+struct ImageMap {
+    int width, height;
+    bool once, interpolates, is_opaque;
+    const Color *pixels;         /* row by row from the top left, in the working space */
+};
+
+static double decoded(double encoded, const Image *picture, const ImageMapOptions *o)
+{
+    if (o->has_gamma) return o->gamma_is_srgb ? film_srgb_decode(encoded) : pow(encoded, o->gamma);
+    if (picture->has_gamma && picture->file_gamma > 0) return pow(encoded, 1 / picture->file_gamma);
+    return film_srgb_decode(encoded);   /* by its chunk, or by default */
+}
+
+/* A table over the samples that the file can have: 256 or 65536 powers, not three a pixel. */
+static float *decoding_table(Arena *a, const Image *picture, const ImageMapOptions *o, GammaKind gamma, double power)
+{
+    float *table = ARENA_ARRAY(a, float, 65536);
+    int step = picture->bits == 16 ? 1 : 257;
+    for (int i = 0; i < 65536; i += step) {
+        double encoded = i / 65535., value = encoded;
+        if (gamma != GAMMA_NONE) value = film_working(decoded(encoded, picture, o), gamma, power);
+        table[i] = (float)value;
+    }
+    return table;
+}
+
+ImageMap *image_map_new(Arena *a, const Image *picture, const ImageMapOptions *o, GammaKind gamma, double gamma_power)
+{
+    size_t n = (size_t)picture->width * (size_t)picture->height;
+    Color *pixels = ARENA_ARRAY(a, Color, n);
+    ArenaMark mark = arena_mark(a);
+    const float *table = decoding_table(a, picture, o, gamma, gamma_power);
+    bool is_opaque = !o->once && o->filter_all == 0 && o->transmit_all == 0;
+    for (size_t i = 0; i < n; i++) {
+        const uint16_t *s = picture->rgba + 4 * i;
+        if (s[3] != 65535) is_opaque = false;
+        pixels[i] = (Color){ table[s[0]], table[s[1]], table[s[2]], (float)o->filter_all,
+                             (float)(1 - s[3] / 65535. + o->transmit_all) };
+    }
+    arena_reset(a, mark);
+    ImageMap *m = ARENA_NEW(a, ImageMap);
+    *m = (ImageMap){ picture->width, picture->height, o->once, o->interpolates, is_opaque, pixels };
+    return m;
+}
+
+static int wrapped(double i, int n)
+{
+    double r = fmod(i, n);
+    return r < 0 ? (int)(r + n) % n : (int)r;
+}
+
+static Color pixel(const ImageMap *m, double column, double row)
+{
+    return m->pixels[(size_t)wrapped(row, m->height) * (size_t)m->width + (size_t)wrapped(column, m->width)];
+}
+
+Color image_map_color(const ImageMap *m, double x, double y)
+{
+    static const double SHIFT = 1e-10;   /* POV-Ray's, before rounding down: in pixels */
+    if (m->once && (x < 0 || x > 1 || y < 0 || y > 1)) return (Color){ 0, 0, 0, 0, 1 };
+    if (!m->interpolates) return pixel(m, floor(x * m->width + SHIFT), floor(-(y * m->height + SHIFT)));
+    double column = x * m->width - .5, row = (1 - y) * m->height - .5;
+    double i = floor(column), j = floor(row), s = column - i, t = row - j;
+    Color upper = color_lerp(pixel(m, i, j), pixel(m, i + 1, j), s);
+    Color lower = color_lerp(pixel(m, i, j + 1), pixel(m, i + 1, j + 1), s);
+    return color_lerp(upper, lower, t);
+}
+
+bool image_map_is_opaque(const ImageMap *m) { return m->is_opaque; }

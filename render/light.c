@@ -1,0 +1,61 @@
+/* How much light would reach a point if nothing stood in the way: direction, distance, fading, cones. */
+#include "render/light.h"
+
+Light light_default(LightKind kind)
+{
+    bool is_spot = kind == LIGHT_SPOT;
+    return (Light){
+        .kind = kind,
+        .point_at = vec(0, 0, 1),
+        .is_parallel = kind == LIGHT_CYLINDER,
+        .radius = is_spot ? 30 : .75, .falloff = is_spot ? 45 : 1,
+        .area_n_u = 1, .area_n_v = 1, .area_adaptive = 100,
+    };
+}
+
+/* 0 below a, 1 from b on, a cubic between them. */
+static double smooth_step(double a, double b, double x)
+{
+    if (x < a) return 0;
+    if (x >= b) return 1;
+    double h = (x - a) / (b - a);
+    return h * h * (3 - 2 * h);
+}
+
+static double spot_factor(const Light *l, Vec3 axis, Vec3 from_light)
+{
+    double m = vec_dot(vec_normalize(from_light), axis);
+    if (m <= 0) return 0;
+    if (l->is_parallel) return 1;   /* all that is before it: so it is in POV-Ray */
+    double inner = cos(l->radius * (M_PI / 180)), outer = cos(l->falloff * (M_PI / 180));
+    double factor = pow(m, l->tightness);
+    return inner > 0 && m < inner ? factor * smooth_step(outer, inner, m) : factor;
+}
+
+static double cylinder_factor(const Light *l, Vec3 axis, Vec3 from_light)
+{
+    double along = vec_dot(from_light, axis);
+    if (along <= 0) return 0;
+    double off_axis = sqrt(fmax(0, vec_length2(from_light) - along * along));
+    if (off_axis >= l->falloff) return 0;
+    double q = 1 - off_axis / l->falloff, factor = pow(q, l->tightness);
+    return l->radius > 0 && off_axis > l->radius ? factor * smooth_step(0, 1 - l->radius / l->falloff, q) : factor;
+}
+
+LightAt light_at(const Light *l, Vec3 position, Vec3 point)
+{
+    Vec3 apart = vec_sub(position, point);
+    Vec3 to_light = vec_normalize(apart), axis = vec_normalize(vec_sub(l->point_at, l->position));
+    LightAt at = { .direction = to_light, .distance = vec_length(apart), .color = l->color };
+    if (l->is_parallel) {
+        at.direction = vec_neg(axis);
+        at.distance = -vec_dot(apart, axis);
+    }
+    double factor = 1;
+    if (l->kind == LIGHT_SPOT) factor = spot_factor(l, axis, vec_neg(apart));
+    if (l->kind == LIGHT_CYLINDER) factor = cylinder_factor(l, axis, vec_neg(apart));
+    if (l->fade_distance > 0 && l->fade_power > 0)
+        factor *= 2 / (1 + pow(fabs(at.distance) / l->fade_distance, l->fade_power));
+    at.color = rgb_scale(at.color, factor);
+    return at;
+}

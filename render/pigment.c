@@ -1,0 +1,58 @@
+/* The colour of a point: one colour, blocks, a map over a pattern, or a picture. */
+#include "render/image_map.h"
+#include "render/texture.h"
+
+Pigment pigment_solid(Color c)
+{
+    return (Pigment){ .kind = PIGMENT_COLOR, .color = c, .space = xform_identity() };
+}
+
+void pigment_transform(Pigment *p, const Xform *x)
+{
+    p->space = xform_then(p->space, *x);
+    p->is_moved = !xform_is_identity(&p->space);
+}
+
+static Color block_color(const Pigment *p, Vec3 point, Vec2 uv)
+{
+    int block = (int)pattern_value(&p->pattern, point);
+    return block < p->n_entries ? pigment_color(p->entries[block].pigment, point, uv) : p->pattern.type->blocks[block];
+}
+
+/* The first entry with a key not below the value, and the one before it. Two entries with the same key are a step. */
+static Color map_color(const Pigment *p, Vec3 point, Vec2 uv)
+{
+    double value = pattern_value(&p->pattern, point);
+    if (p->n_entries == 0) return (Color){ (float)value, (float)value, (float)value, 0, 0 };
+    const PigmentEntry *e = p->entries, *last = e + p->n_entries - 1;
+    if (value >= last->key) return pigment_color(last->pigment, point, uv);
+    int j = 0;
+    while (e[j].key < value) j++;
+    Color high = pigment_color(e[j].pigment, point, uv);
+    if (j == 0 || e[j].key == value) return high;
+    double low_key = e[j - 1].key, share = (value - low_key) / (e[j].key - low_key);
+    return color_lerp(pigment_color(e[j - 1].pigment, point, uv), high, share);
+}
+
+Color pigment_color(const Pigment *p, Vec3 point, Vec2 uv)
+{
+    if (p->kind == PIGMENT_COLOR) return p->color;
+    if (p->uv_mapping) point = vec(uv.x, uv.y, 0);
+    if (p->is_moved) point = xform_unpoint(&p->space, point);
+    switch (p->kind) {
+    case PIGMENT_BLOCKS: return block_color(p, point, uv);
+    case PIGMENT_MAP: return map_color(p, point, uv);
+    default: return image_map_color(p->image, point.x, point.y);
+    }
+}
+
+static bool is_clear(Color c) { return c.filter != 0 || c.transmit != 0; }
+
+bool pigment_is_opaque(const Pigment *p)
+{
+    if (p->kind == PIGMENT_COLOR) return !is_clear(p->color);
+    if (p->kind == PIGMENT_IMAGE) return image_map_is_opaque(p->image);
+    for (int i = 0; i < p->n_entries; i++)
+        if (!pigment_is_opaque(p->entries[i].pigment)) return false;
+    return true;   /* the colours that stand in for what was left out are opaque */
+}

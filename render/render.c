@@ -1,0 +1,148 @@
+/* Tiles and threads. A tile is taken by whichever thread is free; a pixel depends on nothing but its place, so that the
+ * picture is the same for every number of threads. */
+#include "render/render.h"
+
+#include "render/hash.h"
+#include "render/shade.h"
+
+#include <limits.h>
+#include <pthread.h>
+#include <sched.h>
+#include <stdatomic.h>
+#include <stdlib.h>
+
+enum { TILE = 32 };                                   /* pixels a side: as POV-Ray's */
+static const size_t STACK_BYTES = (size_t)64 << 20;   /* of a thread: address space, for deep recursion through glass */
+static const double PROGRESS_SECONDS = .1;
+
+static atomic_bool is_interrupted;
+
+void render_interrupt(void) { atomic_store(&is_interrupted, true); }
+
+/* One rendering, shared by its threads. */
+typedef struct {
+    const Scene *scene;
+    const RenderOptions *options;
+    Film *film;
+    int n_across, n_tiles;
+    atomic_int next_tile, n_done;
+    double start;
+    atomic_long next_progress;                        /* in steps of PROGRESS_SECONDS since the start */
+} Job;
+
+typedef struct { Job *job; Counters counters; pthread_t thread; } Worker;
+
+RenderOptions render_options_default(int width, int height)
+{
+    return (RenderOptions){ .width = width, .height = height, .x1 = width, .y1 = height, .quality = 9 };
+}
+
+/* ---- progress ---- */
+
+static int percent(const Job *job) { return (int)(100. * atomic_load(&job->n_done) / job->n_tiles); }
+
+/* Whoever first finds that the time has come writes. */
+static void show_progress(Job *job)
+{
+    if (!job->options->progress) return;
+    long now = (long)((stats_now() - job->start) / PROGRESS_SECONDS), due = atomic_load(&job->next_progress);
+    if (now < due || !atomic_compare_exchange_strong(&job->next_progress, &due, now + 1)) return;
+    fprintf(job->options->progress, "\rrendering %3d%%", percent(job));
+    fflush(job->options->progress);
+}
+
+static void end_progress(const Job *job)
+{
+    if (!job->options->progress) return;
+    fprintf(job->options->progress, "\rrendering %3d%%\n", percent(job));
+    fflush(job->options->progress);
+}
+
+/* ---- pixels, tiles, threads ---- */
+
+static Pixel render_pixel(const Job *job, int x, int y, Trace *t)
+{
+    const RenderOptions *o = job->options;
+    uint64_t pixel = (uint64_t)y * (uint64_t)o->width + (uint64_t)x, sample = 0;
+    t->seed = hash_combine(hash_mix(pixel), sample);
+    Ray r = camera_ray(&job->scene->camera, x, y, o->width, o->height);
+    return shade_camera_ray(job->scene, &r, o->quality, t);
+}
+
+static int lesser(int a, int b) { return a < b ? a : b; }
+
+static void render_tile(const Job *job, int tile, Trace *t)
+{
+    const RenderOptions *o = job->options;
+    int x0 = o->x0 + tile % job->n_across * TILE, y0 = o->y0 + tile / job->n_across * TILE;
+    int x1 = lesser(x0 + TILE, o->x1), y1 = lesser(y0 + TILE, o->y1);
+    for (int y = y0; y < y1; y++)
+        for (int x = x0; x < x1; x++)
+            job->film->pixels[(size_t)y * (size_t)o->width + (size_t)x] = render_pixel(job, x, y, t);
+}
+
+static void *work(void *context)
+{
+    Worker *w = context;
+    Job *job = w->job;
+    Trace t = { .scratch = arena_new(), .measures_time = job->options->measures_time };
+    while (!atomic_load(&is_interrupted)) {
+        int tile = atomic_fetch_add(&job->next_tile, 1);
+        if (tile >= job->n_tiles) break;
+        render_tile(job, tile, &t);
+        atomic_fetch_add(&job->n_done, 1);
+        show_progress(job);
+    }
+    w->counters = t.counters;
+    arena_free(t.scratch);
+    return NULL;
+}
+
+/* The cores that this process may use. */
+static int n_cores(void)
+{
+    cpu_set_t set;
+    if (sched_getaffinity(0, sizeof set, &set) != 0) return 1;
+    int n = CPU_COUNT(&set);
+    return n > 0 ? n : 1;
+}
+
+/* Runs the workers to their end; returns how many there were: fewer than asked for if the system refuses, at least one. */
+static int run_workers(Worker *workers, int n)
+{
+    pthread_attr_t attributes;
+    pthread_attr_init(&attributes);
+    pthread_attr_setstacksize(&attributes, STACK_BYTES);
+    int n_started = 0;
+    while (n_started < n) {
+        Worker *w = &workers[n_started];
+        if (pthread_create(&w->thread, &attributes, work, w) != 0) break;
+        n_started++;
+    }
+    pthread_attr_destroy(&attributes);
+    if (n_started == 0) work(&workers[0]);
+    for (int i = 0; i < n_started; i++) pthread_join(workers[i].thread, NULL);
+    return n_started > 0 ? n_started : 1;
+}
+
+static int tiles(int from, int to) { return to > from ? (to - from + TILE - 1) / TILE : 0; }
+
+RenderResult render_scene(Scene *s, const RenderOptions *o, Film *film)
+{
+    if (!s->tree) scene_prepare(s);
+    Job job = { .scene = s, .options = o, .film = film, .n_across = tiles(o->x0, o->x1), .start = stats_now() };
+    job.n_tiles = job.n_across * tiles(o->y0, o->y1);
+    int n = lesser(o->n_threads > 0 ? o->n_threads : n_cores(), job.n_tiles > 0 ? job.n_tiles : 1);
+    Worker *workers = calloc((size_t)n, sizeof *workers), alone = { 0 };
+    if (!workers) n = 1;
+    Worker *crew = workers ? workers : &alone;
+    for (int i = 0; i < n; i++) crew[i].job = &job;
+    RenderResult result = { .n_threads = run_workers(crew, n) };
+    for (int i = 0; i < result.n_threads; i++) counters_add(&result.counters, &crew[i].counters);
+    free(workers);
+    result.trace_seconds = stats_now() - job.start;
+    result.interrupted = atomic_load(&job.n_done) < job.n_tiles;
+    atomic_store(&is_interrupted, false);
+    if (job.n_tiles > 0) end_progress(&job);
+    return result;
+}

@@ -1,0 +1,339 @@
+/* Whitted's recursion ([Whi80]) with POV-Ray's rules: the layers of a texture from the top down, each with its own light;
+ * what shines through the last one; what each layer mirrors. */
+#include "render/shade.h"
+
+#include "render/finish.h"
+#include "render/media.h"
+#include "render/shadow.h"
+#include "render/sky.h"
+#include "render/surface.h"
+
+/* The lowest quality (+Q) at which each thing is done. */
+enum { Q_LIGHT = 2, Q_SHADOWS = 4, Q_AREA_LIGHTS = 5, Q_TRANSMISSION = 6, Q_REFLECTION = 8, Q_FOG = 9 };
+
+/* POV-Ray: a light this far round the horizon (cosine) gives nothing; directions this near are not bent (|k - 1|). */
+static const double GRAZING_LIGHT = 1e-10;
+static const double NO_BEND = 1e-10;
+
+/* Everything that the rays of one camera ray share. */
+typedef struct {
+    const Scene *scene;
+    Trace *trace;
+    int quality;
+    Surroundings around;
+} Tracer;
+
+/* How a ray came about. */
+typedef struct {
+    int level;
+    double weight;               /* an upper bound of what it adds to the pixel, for adc_bailout */
+    RayKind kind;                /* what just happened to it: for the counters */
+    bool was_reflected;          /* ever: what objects hide from */
+    const Medium *media;
+} Path;
+
+typedef struct {
+    const Finish *finish;
+    Rgb pigment;
+    Rgb weight;                  /* of its light: what the layers above let through */
+    double opacity;
+    Rgb reflectivity;
+} LayerAt;
+
+static Pixel trace_ray(Tracer *x, const Ray *r, Path path);
+
+static Rgb pixel_rgb(Pixel p) { return rgb(p.r, p.g, p.b); }
+static bool is_nothing(Rgb c) { return c.r == 0 && c.g == 0 && c.b == 0; }
+
+/* ---- light on a surface ---- */
+
+static bool answers_light(const LayerAt *layers, int n)
+{
+    for (int i = 0; i < n; i++) {
+        const Finish *f = layers[i].finish;
+        if (f->diffuse > 0 || f->diffuse_back > 0 || f->phong > 0 || f->specular > 0) return true;
+    }
+    return false;
+}
+
+static bool any_lit_from_behind(const LayerAt *layers, int n)
+{
+    for (int i = 0; i < n; i++)
+        if (layers[i].finish->diffuse_back > 0) return true;
+    return false;
+}
+
+/* Light of one colour from one direction, on all layers. */
+typedef struct { Vec3 to_light; Rgb color; bool is_back, has_highlights; } Beam;
+
+static Rgb lit_by(const Surface *at, const LayerAt *layers, int n, const Beam *beam)
+{
+    double cosine = vec_dot(at->normal, beam->to_light);
+    Rgb sum = rgb(0, 0, 0);
+    for (int i = 0; i < n; i++) {
+        const LayerAt *l = &layers[i];
+        double diffuse = finish_diffuse(l->finish, cosine, beam->is_back) * l->opacity;
+        Rgb light = rgb_mul(rgb_scale(l->pigment, diffuse), beam->color);
+        if (beam->has_highlights)
+            light = rgb_add(light, finish_highlights(l->finish, l->pigment, at->normal, at->ray->dir, beam->to_light,
+                                                     beam->color));
+        sum = rgb_add(sum, rgb_mul(l->weight, light));
+    }
+    return sum;
+}
+
+static bool is_double_illuminated(const Hit *h)
+{
+    for (int i = 0; i < h->n_objects; i++)
+        if (h->objects[i]->double_illuminate) return true;
+    return false;
+}
+
+static Rgb lit_from(const Surface *at, const LayerAt *layers, int n, const Light *l, Vec3 to_light, Rgb color)
+{
+    bool is_facing = vec_dot(at->normal, to_light) >= GRAZING_LIGHT;
+    bool is_back = !is_facing && !is_double_illuminated(at->hit);
+    Beam beam = { to_light, color, is_back, is_facing && !l->is_shadowless };
+    return lit_by(at, layers, n, &beam);
+}
+
+/* `area_illumination`: every sample shines for itself, all with the one shadow. */
+static Rgb lit_by_area(const Surface *at, const LayerAt *layers, int n, const Light *l, Rgb shadow)
+{
+    Rgb sum = rgb(0, 0, 0);
+    double share = 1. / ((double)l->area_n_u * l->area_n_v);
+    for (int j = 0; j < l->area_n_v; j++)
+        for (int i = 0; i < l->area_n_u; i++) {
+            LightAt lit = light_at(l, shadow_area_sample(l, at->point, i, j), at->point);
+            Rgb color = rgb_scale(rgb_mul(lit.color, shadow), share);
+            sum = rgb_add(sum, lit_from(at, layers, n, l, lit.direction, color));
+        }
+    return sum;
+}
+
+static Rgb quotient(Rgb a, Rgb b)
+{
+    return rgb(b.r != 0 ? a.r / b.r : 0, b.g != 0 ? a.g / b.g : 0, b.b != 0 ? a.b / b.b : 0);
+}
+
+static Rgb lit_by_light(const Shadow *shadow, const LayerAt *layers, int n, const Light *l, int quality)
+{
+    const Surface *at = shadow->at;
+    bool is_spread = l->is_area && l->area_illumination && quality >= Q_AREA_LIGHTS;
+    LightAt lit = light_at(l, l->position, at->point);
+    bool is_facing = vec_dot(at->normal, lit.direction) >= GRAZING_LIGHT;
+    if (!is_facing && !is_spread && !any_lit_from_behind(layers, n) && !is_double_illuminated(at->hit)) return rgb(0, 0, 0);
+    Rgb full = lit.color;
+    if (quality >= Q_SHADOWS) lit.color = shadow_light(shadow, l, &lit);
+    if (is_nothing(lit.color)) return lit.color;
+    if (is_spread) return lit_by_area(at, layers, n, l, quotient(lit.color, full));
+    return lit_from(at, layers, n, l, lit.direction, lit.color);
+}
+
+static Rgb lit_by_all(Tracer *x, const Surface *at, const LayerAt *layers, int n, const Medium *media)
+{
+    Rgb sum = rgb(0, 0, 0);
+    if (!answers_light(layers, n)) return sum;
+    Shadow shadow = { at, media, &x->around, x->quality >= Q_AREA_LIGHTS, x->trace };
+    for (size_t i = 0; i < x->scene->n_lights; i++)
+        sum = rgb_add(sum, lit_by_light(&shadow, layers, n, &x->scene->lights[i], x->quality));
+    return sum;
+}
+
+/* ---- layers ---- */
+
+static double opacity_of(const Scene *s, Color c)
+{
+    double filter = c.filter;
+    if (s->version < 3.7) filter *= rgb_max(color_rgb(c));
+    return 1 - filter - (double)c.transmit;
+}
+
+static double transmit_of(Rgb through) { return fmin(1, fabs(rgb_grey(through))); }
+
+static Rgb conserved(Rgb through, Rgb r)
+{
+    return rgb_mul(through, rgb(fmin(1, 1 - r.r), fmin(1, 1 - r.g), fmin(1, 1 - r.b)));
+}
+
+/* The ratio of the indices is only asked for by `fresnel`. */
+static Rgb reflectivity(Tracer *x, const Surface *at, const Medium *media, const Finish *f, Rgb pigment)
+{
+    if (!f->has_reflection) return rgb(0, 0, 0);
+    double ratio = f->reflection_fresnel ? media_cross(&x->around, media, at->hit).ior_ratio : 1;
+    return finish_reflectivity(f, pigment, at->cos_view, ratio);
+}
+
+/* Walks the layers from the top down for as long as anything comes through; returns how many were seen. */
+static int walk_layers(Tracer *x, const Surface *at, const Medium *media, LayerAt *out, Rgb *through)
+{
+    const Scene *s = x->scene;
+    Rgb F = rgb(1, 1, 1);
+    int n = 0;
+    for (int i = at->texture->n_layers - 1; i >= 0 && transmit_of(F) > s->adc_bailout; i--) {
+        const Layer *layer = &at->texture->layers[i];
+        Color c = surface_color(at, layer);
+        Rgb pigment = color_rgb(c);
+        Rgb r = reflectivity(x, at, media, &layer->finish, pigment);
+        out[n++] = (LayerAt){ &layer->finish, pigment, F, opacity_of(s, c), r };
+        F = rgb_mul(F, rgb_add(rgb_scale(pigment, c.filter), rgb(c.transmit, c.transmit, c.transmit)));
+        if (layer->finish.conserve_energy) F = conserved(F, r);
+    }
+    *through = F;
+    return n;
+}
+
+static Rgb own_light(const Scene *s, const LayerAt *layers, int n)
+{
+    Rgb sum = rgb(0, 0, 0);
+    for (int i = 0; i < n; i++) {
+        const LayerAt *l = &layers[i];
+        Rgb glow = rgb_add(rgb_mul(l->finish->ambient, s->ambient_light), l->finish->emission);
+        sum = rgb_add(sum, rgb_mul(l->weight, rgb_scale(rgb_mul(l->pigment, glow), l->opacity)));
+    }
+    return sum;
+}
+
+/* ---- secondary rays ---- */
+
+static Vec3 mirrored(const Surface *at)
+{
+    return vec_normalize(vec_add(at->ray->dir, vec_scale(at->normal, 2 * at->cos_view)));
+}
+
+static Pixel trace_from(Tracer *x, const Surface *at, Vec3 dir, Path path)
+{
+    Ray r = { surface_leave(at, dir), dir, 0 };
+    return trace_ray(x, &r, path);
+}
+
+static Pixel trace_mirrored(Tracer *x, const Surface *at, Path from, double weight)
+{
+    Path path = { from.level + 1, from.weight * weight, RAY_REFLECTED, true, from.media };
+    MediaScope scope = media_open(&x->around);
+    Pixel seen = trace_from(x, at, mirrored(at), path);
+    media_close(&x->around, scope);
+    seen.transmit = 0;
+    return seen;
+}
+
+/* The ray beyond the surface; or, *is_total, totally reflected. */
+static Pixel trace_bent(Tracer *x, const Surface *at, Path from, const Crossing *cross, double weight, bool *is_total)
+{
+    double k = cross->bend, c = at->cos_view, s = 1 + k * k * (c * c - 1);
+    bool is_straight = fabs(k - 1) < NO_BEND;
+    *is_total = !is_straight && s < 0;
+    if (*is_total) return trace_mirrored(x, at, from, weight);
+    Vec3 dir = at->ray->dir;
+    if (!is_straight) dir = vec_normalize(vec_add(vec_scale(dir, k), vec_scale(at->normal, k * c - sqrt(s))));
+    Path path = { from.level + !is_straight, from.weight * weight, RAY_TRANSMITTED, from.was_reflected, cross->after };
+    return trace_from(x, at, dir, path);
+}
+
+/* What comes through, faded by the way up to here if that led through the interior. */
+static Pixel trace_through(Tracer *x, const Surface *at, Path from, Rgb through, bool *is_total)
+{
+    MediaScope scope = media_open(&x->around);
+    Crossing cross = media_cross(&x->around, from.media, at->hit);
+    Pixel seen = trace_bent(x, at, from, &cross, fmax(rgb_max(through), 0), is_total);
+    media_close(&x->around, scope);
+    if (!cross.was_inside) return seen;
+    Rgb fade = interior_fade(hit_interior(at->hit), at->hit->t);
+    return (Pixel){ seen.r * fade.r, seen.g * fade.g, seen.b * fade.b, seen.transmit * rgb_grey(fade) };
+}
+
+static Rgb by_exponent(Rgb c, double exponent)
+{
+    if (exponent == 1) return c;
+    return rgb(pow(c.r, 1 / exponent), pow(c.g, 1 / exponent), pow(c.b, 1 / exponent));
+}
+
+/* For adc_bailout: with `fresnel` what it is here, else the most that it can be. */
+static double mirror_weight(const LayerAt *l)
+{
+    const Finish *f = l->finish;
+    if (!f->has_reflection) return 0;
+    return f->reflection_fresnel ? rgb_max(l->reflectivity) : fmax(rgb_max(f->reflection_min), rgb_max(f->reflection_max));
+}
+
+/* What all layers mirror, by one ray. */
+static Rgb reflections(Tracer *x, const Surface *at, const LayerAt *layers, int n, Path path)
+{
+    double weight = 0;
+    for (int i = 0; i < n; i++) weight = fmax(weight, mirror_weight(&layers[i]));
+    Rgb sum = rgb(0, 0, 0);
+    if (weight == 0) return sum;
+    Rgb seen = pixel_rgb(trace_mirrored(x, at, path, weight));
+    for (int i = 0; i < n; i++)
+        sum = rgb_add(sum, rgb_mul(layers[i].reflectivity, by_exponent(seen, layers[i].finish->reflection_exponent)));
+    return sum;
+}
+
+/* ---- the recursion ---- */
+
+/* Without light (+Q0, +Q1) there is the top layer's pigment alone. */
+static Pixel flat_color(const Surface *at)
+{
+    Color c = surface_color(at, &at->texture->layers[at->texture->n_layers - 1]);
+    return (Pixel){ c.r, c.g, c.b, 0 };
+}
+
+static Pixel shade_hit(Tracer *x, const Ray *r, const Hit *h, Path path)
+{
+    Surface at = surface_at(x->scene, r, h);
+    if (at.texture->n_layers == 0) return (Pixel){ 0 };
+    if (x->quality < Q_LIGHT) return flat_color(&at);
+    Rgb through;
+    LayerAt *layers = ARENA_ARRAY(x->trace->scratch, LayerAt, at.texture->n_layers);
+    int n = walk_layers(x, &at, path.media, layers, &through);
+    Rgb sum = rgb_add(own_light(x->scene, layers, n), lit_by_all(x, &at, layers, n, path.media));
+    Pixel behind = { 0 };
+    double transmit = transmit_of(through);
+    bool is_total = false;
+    if (x->quality >= Q_TRANSMISSION && transmit > x->scene->adc_bailout) {
+        behind = trace_through(x, &at, path, through, &is_total);
+        sum = rgb_add(sum, is_total ? pixel_rgb(behind) : rgb_mul(pixel_rgb(behind), through));
+    }
+    if (x->quality >= Q_REFLECTION && !is_total) sum = rgb_add(sum, reflections(x, &at, layers, n, path));
+    return (Pixel){ sum.r, sum.g, sum.b, is_total ? 0 : behind.transmit * transmit };
+}
+
+/* The nearest hit. What lies nearer than its own error may be the surface that the ray has just left: the next one counts. */
+static bool nearest_hit(const Tracer *x, Ray *r, const Path *path, Hit *h)
+{
+    for (;;) {
+        *h = (Hit){ .t = INFINITY };
+        if (!scene_hit(x->scene, r, path->was_reflected ? RAY_REFLECTED : RAY_CAMERA, h, x->trace)) return false;
+        if (path->kind == RAY_CAMERA || !(h->t <= h->t_error)) return true;
+        r->t_min = h->t;
+    }
+}
+
+static void count_ray(Counters *c, RayKind kind)
+{
+    if (kind == RAY_CAMERA) c->camera_rays++;
+    if (kind == RAY_REFLECTED) c->reflected_rays++;
+    if (kind == RAY_TRANSMITTED) c->transmitted_rays++;
+}
+
+static Pixel trace_ray(Tracer *x, const Ray *ray, Path path)
+{
+    const Scene *s = x->scene;
+    if (path.level >= s->max_trace_level || path.weight < s->adc_bailout) return (Pixel){ 0 };
+    count_ray(&x->trace->counters, path.kind);
+    Ray r = *ray;
+    Hit h;
+    bool is_hit = nearest_hit(x, &r, &path, &h);
+    Pixel seen = is_hit ? shade_hit(x, &r, &h, path) : sky_color(s, r.dir);
+    bool has_fog = s->n_fogs > 0 && x->quality >= Q_FOG && media_let_fog_in(media_known(&x->around, path.media));
+    return has_fog ? sky_through_fog(s, &r, h.t, seen) : seen;
+}
+
+Pixel shade_camera_ray(const Scene *s, const Ray *r, int quality, Trace *t)
+{
+    ArenaMark mark = arena_mark(t->scratch);
+    Tracer x = { s, t, quality, { .scene = s, .scratch = t->scratch, .camera = r->origin } };
+    Pixel seen = trace_ray(&x, r, (Path){ 0, 1, RAY_CAMERA, false, MEDIA_OF_CAMERA });
+    arena_reset(t->scratch, mark);
+    return seen;
+}

@@ -1,0 +1,148 @@
+/* Shadow rays: towards points, and towards the samples of area lights. */
+#include "render/shadow.h"
+
+static bool is_black(Rgb c) { return c.r == 0 && c.g == 0 && c.b == 0; }
+
+/* What a transparent blocker lets through: every layer filters. */
+static Rgb through_layers(const Surface *blocker, Rgb light)
+{
+    for (int i = 0; i < blocker->texture->n_layers; i++) {
+        Color c = surface_color(blocker, &blocker->texture->layers[i]);
+        light = rgb_mul(light, rgb(c.r * c.filter + c.transmit, c.g * c.filter + c.transmit, c.b * c.filter + c.transmit));
+    }
+    return light;
+}
+
+/* Light goes straight on through glass; `caustics` imitates the bundling by a lens. */
+static Rgb past_blocker(const Shadow *q, const Ray *r, const Hit *h, const Medium **media, Rgb light)
+{
+    Surface blocker = surface_at(q->around->scene, r, h);
+    light = through_layers(&blocker, light);
+    const Interior *interior = hit_interior(h);
+    if (!interior) return light;
+    if (interior->caustics > 0)
+        light = rgb_scale(light, 1 + pow(blocker.cos_view, 45 * (double)interior->caustics));
+    if (!interior_fades(interior) || !(interior->fade_power > 0)) return light;
+    Crossing c = media_cross(q->around, *media, h);
+    *media = c.after;
+    return c.was_inside ? rgb_mul(light, interior_fade(interior, h->t - r->t_min)) : light;
+}
+
+static Rgb light_along(const Shadow *q, Ray r, double t_max, Rgb light)
+{
+    const Medium *media = q->media;
+    while (r.t_min < t_max && !is_black(light)) {
+        Hit h = { .t = INFINITY };
+        if (scene_hit_shadow(q->around->scene, &r, t_max, &h, q->trace)) return rgb(0, 0, 0);
+        if (isinf(h.t)) break;
+        light = past_blocker(q, &r, &h, &media, light);
+        r.t_min = h.t + 2 * h.t_error;   /* found again it would lie within its error, twice */
+    }
+    return light;
+}
+
+/* The light from `to`, at the end of a ray along the unit vector `dir`. */
+static Rgb light_from(const Shadow *q, Vec3 dir, Vec3 to, Rgb light)
+{
+    Ray r = { surface_leave(q->at, dir), dir, 0 };
+    double t_max = surface_stop_before(r.origin, to, vec_dot(vec_sub(to, r.origin), dir));
+    if (!(t_max > 0)) return light;   /* a parallel light's plane is behind the point: nothing can stand between */
+    q->trace->is_shadow_ray = true;
+    q->trace->counters.shadow_rays++;
+    MediaScope scope = media_open(q->around);
+    light = light_along(q, r, t_max, light);
+    media_close(q->around, scope);
+    q->trace->is_shadow_ray = false;
+    return light;
+}
+
+/* ---- area lights ---- */
+
+/* In the light's own axes, or turned towards the point (`orient`). */
+static void area_axes(const Light *l, Vec3 point, Vec3 *u, Vec3 *v)
+{
+    static const double ALMOST_ALONG_Z = .01;   /* POV-Ray's choice of a helper vector */
+    *u = l->area_u, *v = l->area_v;
+    if (!l->area_orient) return;
+    Vec3 to_light = vec_normalize(vec_sub(l->position, point));
+    bool is_along_z = fabs(fabs(to_light.z) - 1) < ALMOST_ALONG_Z;
+    Vec3 helper = is_along_z ? vec(0, 1, 0) : vec(0, 0, 1);
+    Vec3 across = vec_normalize(vec_cross(to_light, helper));
+    *u = vec_scale(across, vec_length(l->area_u));
+    *v = vec_scale(vec_normalize(vec_cross(to_light, across)), vec_length(l->area_v));
+}
+
+Vec3 shadow_area_sample(const Light *l, Vec3 point, int i, int j)
+{
+    static const double OFF_CENTRE = .001;   /* POV-Ray's guard of the division */
+    Vec3 u, v;
+    area_axes(l, point, &u, &v);
+    double a = l->area_n_u > 1 ? (double)i / (l->area_n_u - 1) - .5 : 0;
+    double b = l->area_n_v > 1 ? (double)j / (l->area_n_v - 1) - .5 : 0;
+    if (l->area_circular) {
+        a += OFF_CENTRE, b += OFF_CENTRE;
+        double to_circle = fmax(fabs(a), fabs(b)) / sqrt(a * a + b * b);
+        a *= to_circle, b *= to_circle;
+    }
+    return vec_add(l->position, vec_add(vec_scale(u, a), vec_scale(v, b)));
+}
+
+typedef struct { Rgb light; bool is_known; } Sample;
+typedef struct {
+    const Shadow *q;
+    const Light *light;
+    Rgb color;                   /* unblocked */
+    Sample *samples;             /* area_n_u by area_n_v, each traced once at most */
+} Area;
+
+static Rgb sample_light(const Area *a, int i, int j)
+{
+    Sample *s = &a->samples[j * a->light->area_n_u + i];
+    if (!s->is_known) {
+        Vec3 to = shadow_area_sample(a->light, a->q->at->point, i, j);
+        Vec3 dir = vec_normalize(vec_sub(to, a->q->at->point));
+        *s = (Sample){ light_from(a->q, dir, to, a->color), true };
+    }
+    return s->light;
+}
+
+static bool differ(Rgb a, Rgb b)
+{
+    static const double CONTRAST = .1;   /* POV-Ray's */
+    return fabs(a.r - b.r) + fabs(a.g - b.g) + fabs(a.b - b.b) > CONTRAST;
+}
+
+/* The mean over the rectangle of samples (i0, j0) to (i1, j1): of its corners, or of four parts of it where corners differ
+ * or the level is below `adaptive`. */
+static Rgb area_mean(const Area *a, int i0, int j0, int i1, int j1, int level)
+{
+    Rgb g[4] = { sample_light(a, i0, j0), sample_light(a, i1, j0), sample_light(a, i1, j1), sample_light(a, i0, j1) };
+    bool is_even = !differ(g[0], g[1]) && !differ(g[1], g[2]) && !differ(g[2], g[3]) && !differ(g[3], g[0]);
+    bool can_split = i1 - i0 > 1 || j1 - j0 > 1;
+    if (can_split && (level < a->light->area_adaptive || !is_even)) {
+        int im = (i0 + i1) / 2, jm = (j0 + j1) / 2, ip = (i0 + i1 + 1) / 2, jp = (j0 + j1 + 1) / 2;
+        g[0] = area_mean(a, i0, j0, im, jm, level + 1);
+        g[1] = area_mean(a, ip, j0, i1, jm, level + 1);
+        g[2] = area_mean(a, ip, jp, i1, j1, level + 1);
+        g[3] = area_mean(a, i0, jp, im, j1, level + 1);
+    }
+    return rgb_scale(rgb_add(rgb_add(g[0], g[1]), rgb_add(g[2], g[3])), .25);
+}
+
+static Rgb area_light(const Shadow *q, const Light *l, Rgb color)
+{
+    MediaScope scope = media_open(q->around);
+    Sample *samples = arena_zalloc(q->around->scratch, (size_t)l->area_n_u * (size_t)l->area_n_v, sizeof *samples);
+    Area a = { q, l, color, samples };
+    Rgb mean = area_mean(&a, 0, 0, l->area_n_u - 1, l->area_n_v - 1, 0);
+    media_close(q->around, scope);
+    return mean;
+}
+
+Rgb shadow_light(const Shadow *q, const Light *l, const LightAt *lit)
+{
+    if (l->is_shadowless || is_black(lit->color)) return lit->color;
+    if (l->is_area && q->has_areas) return area_light(q, l, lit->color);
+    Vec3 to = vec_add(q->at->point, vec_scale(lit->direction, lit->distance));
+    return light_from(q, lit->direction, l->is_parallel ? to : l->position, lit->color);
+}

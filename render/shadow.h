@@ -1,0 +1,23 @@
+/* How much of a light reaches a hit, past what blocks and what filters it. */
+#ifndef TRIMRAY_SHADOW_H
+#define TRIMRAY_SHADOW_H
+
+#include "render/media.h"
+#include "render/surface.h"
+
+typedef struct {
+    const Surface *at;
+    const Medium *media;         /* of the ray that found the surface */
+    Surroundings *around;
+    bool has_areas;              /* area lights are sampled; else they are points */
+    Trace *trace;
+} Shadow;
+
+/* The light that arrives: lit->color (of light_at for the light's own position) less what the blockers take. For area lights
+ * the mean over the samples, taken adaptively as POV-Ray does. */
+Rgb shadow_light(const Shadow *q, const Light *l, const LightAt *lit);
+
+/* Where sample (i, j) of an area light is, seen from `point`; i < l->area_n_u, j < l->area_n_v. */
+Vec3 shadow_area_sample(const Light *l, Vec3 point, int i, int j);
+
+#endif

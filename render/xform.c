@@ -201,17 +201,17 @@ Box xform_box(const Xform *x, Box b)
     if (box_is_empty(b)) return box_empty();
     Box out;
     for (int k = 0; k < 3; k++) {
-        double lo = x->forward.m[3][k], hi = lo, magnitude = fabs(lo);
+        double lo = x->forward.m[3][k], hi = lo, lo_size = fabs(lo), hi_size = fabs(hi);
         for (int i = 0; i < 3; i++) {
             double m = x->forward.m[i][k];
             if (m == 0) continue;                              /* also where the side is infinite */
             double from_lo = m * b.lo[i], from_hi = m * b.hi[i];
-            lo += fmin(from_lo, from_hi);
-            hi += fmax(from_lo, from_hi);
-            magnitude += fmax(fabs(from_lo), fabs(from_hi));
+            double least = fmin(from_lo, from_hi), most = fmax(from_lo, from_hi);
+            lo += least, lo_size += fabs(least);
+            hi += most, hi_size += fabs(most);
         }
-        out.lo[k] = isinf(lo) ? -INFINITY : float_down(lo - ROUNDING * magnitude);
-        out.hi[k] = isinf(hi) ? INFINITY : float_up(hi + ROUNDING * magnitude);
+        out.lo[k] = isinf(lo) ? -INFINITY : float_down(lo - ROUNDING * lo_size);
+        out.hi[k] = isinf(hi) ? INFINITY : float_up(hi + ROUNDING * hi_size);
     }
     return out;
 }

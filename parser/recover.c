@@ -1,0 +1,202 @@
+/* Going on after an error: to the end of the statement that failed, and no further. The text is read again from where the
+ * statement began, brackets are counted, directives are passed over unexecuted. If the brackets do not close (one of them
+ * was the error), the next word that begins a statement at the margin is taken for one. */
+#include "parser/core.h"
+
+#include <string.h>
+
+/* Reads on past errors of spelling, which have been told or will not be. */
+static Token read_past(Parser *p, Cursor *c)
+{
+    Token t;
+    while (lexer_read(c, &p->symbols, &t)) continue;
+    return t;
+}
+
+static bool is_one_of(const Token *t, const char *const words[])
+{
+    for (; t->kind == TOKEN_WORD && *words; words++) {
+        if (strcmp(t->text, *words) == 0) return true;
+    }
+    return false;
+}
+
+static bool begins_statement(const Token *t)
+{
+    if (t->kind == TOKEN_PUNCT && t->punct == '#') return true;
+    return is_one_of(t, parse_object_words());
+}
+
+/* Is the token at c the first on its line, and not further right than the statement's first? */
+static bool is_at_margin(const Cursor *c, const Cursor *start)
+{
+    for (const char *q = c->line_start; q < c->at; q++) {
+        if (*q != ' ' && *q != '\t') return false;
+    }
+    return c->at - c->line_start <= start->at - start->line_start;
+}
+
+/* ---- counting brackets ---- */
+
+typedef struct {
+    int depth;                       /* of { } */
+    int parens;                      /* of ( ) and [ ] */
+    int angles;                      /* of < > in a trimmed_nurbs block: 0 outside */
+    bool after_trimmed;
+    int directives;                  /* that wait for #end */
+    bool had_angles, had_directives;
+} Brackets;
+
+static void count_angle(Brackets *b, char punct)
+{
+    if (b->parens > 0) return;       /* a comparison */
+    if (punct == '<' && (b->after_trimmed || b->angles > 0)) b->angles++, b->had_angles = true;
+    if (punct == '>' && b->angles > 0) b->angles--;
+}
+
+static void count(Brackets *b, const Token *t)
+{
+    if (t->kind == TOKEN_PUNCT) {
+        b->depth += (t->punct == '{') - (t->punct == '}');
+        b->parens += (t->punct == '(' || t->punct == '[') - (t->punct == ')' || t->punct == ']');
+        count_angle(b, t->punct);
+    }
+    b->after_trimmed = t->kind == TOKEN_WORD && strcmp(t->text, "trimmed_nurbs") == 0;
+}
+
+static const char *const openers[] = { "if", "ifdef", "ifndef", "while", "for", "switch", "macro", NULL };
+static const char *const branches[] = { "else", "elseif", "case", "range", "end", NULL };
+
+/* After '#': counts the directive; false: it belongs to a block round the statement. */
+static bool count_directive(Parser *p, Brackets *b, Cursor *c)
+{
+    Cursor before = *c;
+    Token word = read_past(p, c);
+    if (is_one_of(&word, openers)) b->directives++, b->had_directives = true;
+    if (!is_one_of(&word, branches)) return true;
+    if (b->directives == 0) return *c = before, false;
+    if (strcmp(word.text, "end") == 0) {
+        b->directives--;
+        *c = before;                 /* the word is read again, as the last of its statement */
+    }
+    return true;
+}
+
+/* ---- the end of a statement ---- */
+
+typedef struct {
+    Cursor start;                    /* at the statement's first token */
+    const char *error;               /* how far reading had come */
+    Cursor end;                      /* found: before the next statement */
+    enum { ENDS_BY_BRACES, ENDS_WITH_LINE, ENDS_BY_PARENS } form;
+} Search;
+
+/* Directives that are not definitions or blocks take one line; a macro's call ends with its arguments. */
+static void find_form(Parser *p, Search *s)
+{
+    static const char *const braced[] = { "declare", "local", "default", NULL };
+    Cursor c = s->start;
+    Token t = read_past(p, &c);
+    s->form = ENDS_BY_BRACES;
+    if (t.kind == TOKEN_PUNCT && t.punct == '#') {
+        t = read_past(p, &c);
+        if (!is_one_of(&t, braced) && !is_one_of(&t, openers)) s->form = ENDS_WITH_LINE;
+    } else if (t.kind == TOKEN_WORD) {
+        const Value *v = word_value(word_of(t.text));
+        if (v && v->kind == VALUE_MACRO) s->form = ENDS_BY_PARENS;
+    }
+}
+
+static bool is_closed(const Brackets *b)
+{
+    return b->depth <= 0 && b->angles == 0 && b->directives == 0;
+}
+
+/* Is t, which has been counted, the last token of the statement? */
+static bool is_last(const Search *s, const Brackets *b, const Token *t)
+{
+    if (!is_closed(b) || t->kind == TOKEN_END) return false;
+    if (t->kind == TOKEN_WORD) return strcmp(t->text, "end") == 0 && b->had_directives;
+    return t->punct == '}' || t->punct == ';' || (t->punct == '>' && b->had_angles)
+        || (t->punct == ')' && b->parens <= 0 && s->form == ENDS_BY_PARENS);
+}
+
+/* Does t, at c, begin something else? */
+static bool is_next(const Search *s, const Brackets *b, const Token *t, const Cursor *c)
+{
+    if (t->kind == TOKEN_END) return true;
+    if (!is_closed(b) || c->at == s->start.at) return false;
+    if (s->form == ENDS_WITH_LINE && c->line > s->start.line) return true;
+    return b->parens <= 0 && begins_statement(t);
+}
+
+/* The end by brackets; false: they do not close. */
+static bool find_end(Parser *p, Search *s)
+{
+    Cursor c = s->start;
+    Brackets b = { .depth = 0 };
+    for (;;) {
+        (void)cursor_skip_blank(&c);
+        s->end = c;
+        Token t = read_past(p, &c);
+        if (t.kind == TOKEN_END) return is_closed(&b);
+        if (s->end.at >= s->error && is_next(s, &b, &t, &s->end)) return true;
+        if (t.kind == TOKEN_PUNCT && t.punct == '#' && !count_directive(p, &b, &c) && s->end.at != s->start.at)
+            return is_closed(&b);
+        count(&b, &t);
+        s->end = c;
+        if (c.at > s->error && is_last(s, &b, &t)) return true;
+    }
+}
+
+/* The next statement at the margin behind the error, else the end of the text. */
+static void find_margin(Parser *p, Search *s)
+{
+    Cursor c = s->start;
+    for (;;) {
+        (void)cursor_skip_blank(&c);
+        s->end = c;
+        Token t = read_past(p, &c);
+        bool is_new = s->end.at >= s->error && s->end.at != s->start.at;
+        if (t.kind == TOKEN_END || (is_new && begins_statement(&t) && is_at_margin(&s->end, &s->start))) return;
+    }
+}
+
+/* A statement that began in a macro which has ended meanwhile: what is left of it is in the frames below. */
+static bool is_mark_alive(const Parser *p)
+{
+    return p->mark.n_frames <= p->n_frames && p->mark.n_frames > 0
+        && p->frames[p->mark.n_frames - 1].serial == p->mark.serial;
+}
+
+void recover_from_error(Parser *p)
+{
+    bool is_alive = is_mark_alive(p);
+    while (is_alive && p->n_frames > p->mark.n_frames) input_pop(p);
+    if (is_alive && p->n_blocks > p->mark.n_blocks) p->n_blocks = p->mark.n_blocks;
+    Frame *f = top_frame(p);
+    Search s = { .start = is_alive ? p->mark.cursor : f->cursor, .error = f->cursor.at };
+    size_t length;
+    if (p->stopped_at.source == f->cursor.source) s.error = place_text(p->stopped_at, &length);
+    (void)cursor_skip_blank(&s.start);
+    find_form(p, &s);
+    if (!find_end(p, &s)) find_margin(p, &s);
+    f->cursor = s.end;
+}
+
+/* ---- the end of a value ---- */
+
+void recover_from_unsupported(Parser *p, int braces, bool is_texture)
+{
+    Brackets b = { .angles = p->angle_braces >= 0 && p->angle_braces >= braces };
+    for (;;) {
+        const Token *t = look(p);
+        if (t->kind == TOKEN_END || p->ahead.is_raw) return;
+        bool is_outside = p->braces <= braces && b.angles == 0;
+        if (is_outside && t->kind == TOKEN_PUNCT && t->punct == ';') return;
+        bool ends_layer = is_outside && p->last_punct == '}' && b.parens <= 0;
+        if (ends_layer && !(is_texture && strcmp(t->kind == TOKEN_WORD ? t->text : "", "texture") == 0)) return;
+        count(&b, t);
+        input_take(p);
+    }
+}

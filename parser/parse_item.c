@@ -89,9 +89,8 @@ bool parse_item(Parser *p, Value *out)
 
 /* ---- statements ---- */
 
-static void state_camera(Parser *p)
+static void state_camera(Parser *p, Place where)
 {
-    Place where = here(p);
     CameraDesc desc;
     parse_camera(p, &desc);
     if (parser_summary(p)->n_cameras++ > 0) parse_warn(p, where, "more than one camera: this one replaces the one before");
@@ -107,23 +106,24 @@ static void state_camera(Parser *p)
     }
 }
 
-static void state_light(Parser *p)
+static void state_light(Parser *p, Place where)
 {
+    (void)where;
     Light l;
     parse_light(p, &l);
     scene_add_light(parser_scene(p), &l);
 }
 
-static void state_sky_sphere(Parser *p)
+static void state_sky_sphere(Parser *p, Place where)
 {
-    Place where = here(p);
     const SkySphere *sky = parse_sky_sphere(p);
     if (parser_scene(p)->sky) parse_warn(p, where, "more than one sky_sphere: this one replaces the one before");
     parser_scene(p)->sky = sky;
 }
 
-static void state_fog(Parser *p)
+static void state_fog(Parser *p, Place where)
 {
+    (void)where;
     Scene *s = parser_scene(p);
     const Fog *fog = parse_fog(p);
     Fog *fogs = arena_grow(parser_arena(p), (void *)s->fogs, s->n_fogs, &s->fogs_capacity, sizeof *fogs);
@@ -131,12 +131,24 @@ static void state_fog(Parser *p)
     s->fogs = fogs;
 }
 
+static void state_background(Parser *p, Place where)
+{
+    (void)where;
+    parse_background(p);
+}
+
+static void state_global_settings(Parser *p, Place where)
+{
+    (void)where;
+    parse_global_settings(p);
+}
+
 static const struct {
     const char *word;
-    void (*read)(Parser *p);
+    void (*read)(Parser *p, Place where);
 } statements[] = {
-    { "camera", state_camera }, { "light_source", state_light }, { "background", parse_background },
-    { "global_settings", parse_global_settings }, { "sky_sphere", state_sky_sphere }, { "fog", state_fog },
+    { "camera", state_camera }, { "light_source", state_light }, { "background", state_background },
+    { "global_settings", state_global_settings }, { "sky_sphere", state_sky_sphere }, { "fog", state_fog },
 };
 
 /* The default texture of this place in the file is the object's, not that of the end of the file. */
@@ -152,7 +164,7 @@ void parse_statement(Parser *p)
     for (size_t i = 0; t.kind == TOKEN_WORD && i < sizeof statements / sizeof *statements; i++) {
         if (strcmp(t.text, statements[i].word) != 0) continue;
         next(p);
-        statements[i].read(p);
+        statements[i].read(p, t.place);
         return;
     }
     Object *o = parse_any_object(p);

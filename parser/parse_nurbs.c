@@ -134,22 +134,30 @@ static Shape *make_draft(Parser *p, const SurfaceDraft *s)
 
 /* ---- trimmed_nurbs ---- */
 
+/* A word that is none of `choices`: what it is elsewhere, or that it is unknown, is of no interest. */
+static _Noreturn void fail_choice(Parser *p, const char *choices)
+{
+    Token t = peek(p);
+    if (t.kind == TOKEN_WORD) parse_fail(p, t.place, "expected %s, found '%s'", choices, t.text);
+    parse_fail_expected(p, choices);
+}
+
 static void read_keep(Parser *p, SurfaceDraft *s)
 {
     s->keep_left = accept_word(p, "left");
-    if (!s->keep_left && !accept_word(p, "right")) parse_fail_expected(p, "'right' or 'left'");
+    if (!s->keep_left && !accept_word(p, "right")) fail_choice(p, "'right' or 'left'");
 }
 
 static void read_flattening(Parser *p, SurfaceDraft *s)
 {
     bool is_adaptive = accept_word(p, "adaptive");
-    if (!is_adaptive && !accept_word(p, "curvature")) parse_fail_expected(p, "'curvature' or 'adaptive'");
+    if (!is_adaptive && !accept_word(p, "curvature")) fail_choice(p, "'curvature' or 'adaptive'");
     s->options.flattening = is_adaptive ? NURBS_FLATTENING_ADAPTIVE : NURBS_FLATTENING_CURVATURE;
 }
 
 static void read_method(Parser *p, SurfaceDraft *s)
 {
-    if (!accept_word(p, "paper")) parse_fail_expected(p, "'paper'");
+    if (!accept_word(p, "paper")) fail_choice(p, "'paper'");
     s->options.method = NURBS_METHOD_PAPER;
 }
 

@@ -138,11 +138,6 @@ void settings_begin(Parser *p)
 {
     Scene *s = parser_scene(p);
     s->gamma = GAMMA_NONE, s->gamma_power = 0;
-    if (s->default_texture) return;
-    Pigment black = pigment_solid((Color){ 0, 0, 0, 0, 0 });
-    Layer layer = { .pigment = arena_copy(parser_arena(p), &black, 1, sizeof black), .finish = finish_default() };
-    Texture t = { .layers = arena_copy(parser_arena(p), &layer, 1, sizeof layer), .n_layers = 1 };
-    s->default_texture = arena_copy(parser_arena(p), &t, 1, sizeof t);
 }
 
 /* Without assumed_gamma: 1.0 from #version 3.7 on; nothing is encoded in older scenes (povray-facts section 2). */

@@ -150,7 +150,7 @@ static void a_command_says_what_it_lacks(void **state)
     assert_string_equal(o.error, "no scene given");
     assert_false(options_read(2, shoot, arena, &o));
     assert_string_equal(o.error, "shoot needs --rays FILE");
-    assert_false(options_read(0, NULL, arena, &o));
+    assert_false(options_read(0, check, arena, &o));
 }
 
 /* What POV-Ray 3.7.0.10 rendered of 10 columns; -1: it refused, or rendered none. */

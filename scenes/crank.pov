@@ -3,10 +3,10 @@
 global_settings { assumed_gamma 1 }
 #include "crank.inc"
 
-camera { location <-4, 12, -17> look_at <-.2, 1.3, .1> angle 37 right x * image_width / image_height }
+camera { location <-4, 12, -17> look_at <-.1, 1.3, .1> angle 35 right x * image_width / image_height }
 background { rgb <.40, .46, .44> }
-light_source { <-14, 18, -8>, rgb .95 }
-light_source { <10, 8, -14>, rgb <.30, .30, .33> }
+light_source { <-16, 20, 2>, rgb .95 }
+light_source { <8, 12, -18>, rgb <.36, .36, .38> }
 
 plane { y, 0 pigment { rgb <.36, .44, .42> } finish { ambient .15 diffuse .7 } }
 object {

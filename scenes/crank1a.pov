@@ -3,10 +3,10 @@
 global_settings { assumed_gamma 1 }
 #include "crank1a.inc"
 
-camera { location <-3, 13, -15> look_at <0, 1.3, -.1> angle 40 right x * image_width / image_height }
+camera { location <-4, 13, -15> look_at <-.1, 1.25, -.2> angle 36 right x * image_width / image_height }
 background { rgb <.62, .60, .55> }
-light_source { <-12, 18, -8>, rgb .95 }
-light_source { <12, 10, -10>, rgb <.28, .29, .32> }
+light_source { <-10, 16, 2>, rgb .95 }
+light_source { <9, 12, -16>, rgb <.36, .36, .38> }
 
 plane { y, 0 pigment { rgb <.58, .56, .50> } finish { ambient .15 diffuse .7 } }
 object { Crank1a translate <-3.2, 1.05, 0> rotate 24 * y }

@@ -6,15 +6,18 @@ global_settings { assumed_gamma 1 max_trace_level 4 }
 #include "crank1a.inc"
 #include "allblade.inc"
 
-camera { location <-3, 17, -21> look_at <.3, 1.6, .6> angle 36 right x * image_width / image_height }
+camera { location <-3, 16, -22> look_at <.35, 2.1, 1.2> angle 37 right x * image_width / image_height }
 background { rgb <.16, .18, .22> }
-light_source { <-16, 24, -12>, rgb <.95, .93, .88> }
-light_source { <16, 12, -14>, rgb <.26, .29, .36> }
+light_source { <-18, 22, -12>, rgb <.95, .93, .88> }
+light_source { <14, 14, -16>, rgb <.28, .31, .38> }
 
-plane { y, 0 pigment { checker rgb <.30, .33, .38>, rgb <.25, .28, .33> scale 3 } finish { ambient .14 diffuse .6 reflection .06 } }
+plane {
+  y, 0
+  pigment { checker rgb <.30, .33, .38>, rgb <.24, .27, .32> scale 3 } finish { ambient .14 diffuse .6 reflection .06 }
+}
 
-// The rotor leans on a block at the back, the shaft lies before it on two V-blocks, the hand crank stands on its hub.
-object { Allblade rotate -62 * x rotate 16 * y translate <-3.4, 4.35, 5.2> }
-box { <-6.2, 0, 6.9>, <-.6, 2.2, 8.2> pigment { rgb <.42, .30, .20> } finish { ambient .14 diffuse .65 } }
-object { Crank translate -Crank_Length / 2 * y rotate 20 * y rotate -90 * z rotate -24 * y translate <.6, 1.77, -1.6> }
-object { Crank1a rotate -50 * y translate <5.2, 1.05, 1.2> }
+// The rotor leans on a block at the back, the shaft lies before it, and the hand crank stands on its hub.
+object { Allblade rotate -58 * x rotate 14 * y translate <-2.9, 4.5, 5.6> }
+box { <-6, 0, 7.6>, <.2, 2.4, 9.4> pigment { rgb <.42, .30, .20> } finish { ambient .14 diffuse .65 } }
+object { Crank translate -Crank_Length / 2 * y rotate 20 * y rotate -90 * z rotate -20 * y translate <-.6, 1.77, -2.6> }
+object { Crank1a rotate 172 * y translate <8.9, 1.05, 5.2> }

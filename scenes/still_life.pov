@@ -1,80 +1,106 @@
-/* A still life, after the paper's Figure 9: a teapot, two goblets, spoons and a pencil on a table, with balls of glass and of
- * chrome, before a mirror. Surfaces: teapot 32, goblets 2, spoons 6, pencil 17, and the mirror in its frame 6 (3 trims). */
+/* A still life, after the paper's Figure 9: a teapot, goblets of gold and of glass, spoons and a pencil on a table before a
+ * mirror, with balls of glass, chrome and stone.
+ * Surfaces: teapot 32, goblets 2, spoons 6, pencil 17, mirror 5, table 2, cloth 1.
+ * Trims: pencil 9, mirror 4, table 1, cloth 1. */
 #version 3.7;
 global_settings { assumed_gamma 1 max_trace_level 12 }
 #include "nurbs.inc"
 #include "teapot.inc"
 #include "goblet.inc"
 #include "spoon.inc"
-#declare Pencil_Paint = texture { pigment { rgb <.70, .07, .05> } finish { ambient .12 diffuse .65 phong .7 phong_size 70 } }
+#declare Pencil_Paint = texture {
+  pigment { rgb <.62, .05, .05> } finish { ambient .12 diffuse .65 phong .7 phong_size 70 }
+}
 #include "pencil.inc"
 
-camera { location <-1.2, 6.4, -14.5> look_at <.05, 1.72, .4> angle 38 right x * image_width / image_height }
-background { rgb <.40, .38, .42> }
-light_source { <-9, 14, -9>, rgb <.92, .88, .80> }
-light_source { <11, 9, -12>, rgb <.26, .30, .38> }
+camera { location <-1.2, 6.0, -14.5> look_at <.1, 1.9, .4> angle 38 right x * image_width / image_height }
+background { rgb <.30, .30, .34> }
+light_source { <-9, 14, -9>, rgb <.94, .90, .82> }
+light_source { <11, 9, -12>, rgb <.24, .28, .36> }
 
 #declare Silver = texture {
-  pigment { rgb <.62, .62, .64> } finish { ambient .08 diffuse .35 phong .9 phong_size 60 metallic reflection .42 }
+  pigment { rgb <.62, .62, .64> } finish { ambient .06 diffuse .30 phong .9 phong_size 60 metallic reflection .45 }
 }
 #declare Gold = texture {
-  pigment { rgb <.86, .60, .20> }
-  finish { ambient .12 diffuse .45 phong .9 phong_size 50 metallic reflection { .28 metallic } }
+  pigment { rgb <.88, .56, .16> }
+  finish { ambient .10 diffuse .42 phong 1 phong_size 45 metallic reflection { .30 metallic } }
 }
 #declare Clear = texture {
-  pigment { rgbf <.96, .98, .98, .94> } finish { ambient 0 diffuse .04 phong .9 phong_size 150 reflection .08 }
+  pigment { rgbf <.96, .98, .98, .94> } finish { ambient 0 diffuse .03 phong .9 phong_size 150 reflection .08 }
 }
 
-// The table: a cloth of squares, polished a little; and the wall.
-plane {
-  y, 0
-  pigment { checker rgb <.72, .66, .56>, rgb <.50, .22, .16> scale 1.5 rotate 31 * y translate <.4, .5, 0> }
-  finish { ambient .12 diffuse .62 reflection .07 }
-}
-plane { -z, -13 pigment { rgb <.44, .46, .50> } finish { ambient .2 diffuse .6 } }
+// The room: floor, wall behind, and the wall that only the mirror sees.
+plane { y, -9 pigment { rgb <.20, .17, .15> } finish { ambient .15 diffuse .6 } }
+plane { -z, -12 pigment { rgb <.22, .31, .33> } finish { ambient .15 diffuse .62 } }
+plane { z, -40 pigment { rgb <.50, .46, .42> } finish { ambient .3 diffuse .6 } }
 
-// The mirror: glass, a frame with two faces' worth of outline (rim and opening), its walls, and its back.
-#declare Mirror_Rim = Outline_Rounded(<-4.6, 0>, <4.6, 6.1>, .9);
-#declare Mirror_Opening = Outline_Rounded(<-4.1, .5>, <4.1, 5.6>, .5);
+// The table, round: a plane with a circle for a trim, and its edge, half a torus in section.
+#declare Table_Top = 11;
+#declare Table_Edge = Curve_Arc(<Table_Top, -.3, 0>, .3, 90, -90, 2);
 union {
   trimmed_nurbs {
-    Nurbs_Planar(0, x, y, <-4.2, .4>, <4.2, 5.7>)
-    texture { pigment { rgb .05 } finish { ambient 0 diffuse .1 reflection .85 } }
+    Nurbs_Planar(0, x, z, -<Table_Top, Table_Top>, <Table_Top, Table_Top>)
+    Trim_Circle(<0, 0>, Table_Top, NURBS_REGION)
+  }
+  trimmed_nurbs { Nurbs_Revolution(Curve_Piece_Knots(3, 5), Table_Edge, 360) }
+  pigment { rgb <.17, .07, .035> }
+  finish { ambient .10 diffuse .55 phong .3 phong_size 90 reflection .14 }
+}
+trimmed_nurbs {
+  Nurbs_Planar(.015 * y, x, z, <-4.4, -3.4>, <4.4, 3.4>)
+  Trim_Rounded(<-4.4, -3.4>, <4.4, 3.4>, .5, NURBS_REGION)
+  pigment { checker rgb <.80, .76, .66>, rgb <.20, .30, .40> scale 1.1 }
+  finish { ambient .13 diffuse .66 }
+  rotate 12 * y
+  translate <-.5, 0, -.4>
+}
+
+// The mirror: glass, and a frame with a face, a rim, an opening and a back.
+#declare Mirror_Rim = Outline_Rounded(<-4.4, 0>, <4.4, 5.9>, .9);
+#declare Mirror_Opening = Outline_Rounded(<-3.95, .45>, <3.95, 5.45>, .5);
+union {
+  trimmed_nurbs {
+    Nurbs_Planar(0, x, y, <-4.2, .2>, <4.2, 5.7>)
+    Trim_Outline(Mirror_Opening, NURBS_REGION)
+    texture { pigment { rgb .03 } finish { ambient 0 diffuse .1 reflection .88 } }
   }
   union {
     trimmed_nurbs {
-      Nurbs_Planar(-.25 * z, x, y, <-4.6, 0>, <4.6, 6.1>)
+      Nurbs_Planar(-.25 * z, x, y, <-4.4, 0>, <4.4, 5.9>)
       Trim_Outline(Mirror_Rim, NURBS_REGION)
       Trim_Outline(Mirror_Opening, NURBS_HOLE)
     }
     trimmed_nurbs { Nurbs_Wall(Mirror_Rim, -.25 * z, x, y, .45 * z) }
     trimmed_nurbs { Nurbs_Wall(Mirror_Opening, -.25 * z, x, y, .25 * z) }
-    trimmed_nurbs { Nurbs_Planar(.2 * z, x, y, <-4.6, 0>, <4.6, 6.1>) Trim_Outline(Mirror_Rim, NURBS_REGION) }
-    texture { pigment { rgb <.36, .20, .10> } finish { ambient .12 diffuse .6 phong .6 phong_size 40 } }
+    trimmed_nurbs { Nurbs_Planar(.2 * z, x, y, <-4.4, 0>, <4.4, 5.9>) Trim_Outline(Mirror_Rim, NURBS_REGION) }
+    texture { pigment { rgb <.70, .44, .14> } finish { ambient .10 diffuse .5 phong .8 phong_size 40 metallic } }
   }
-  rotate 7 * x
-  rotate -14 * y
-  translate <1.0, .02, 4.6>
+  rotate -4 * x
+  rotate -20 * y
+  translate <1.3, .02, 4.9>
 }
 
 object {
   Teapot
   rotate -24 * y
-  translate <-.75, 0, 1.2>
-  pigment { rgb <.82, .80, .72> }
+  translate <-.75, .016, .9>
+  pigment { rgb <.80, .78, .70> }
   finish { ambient .12 diffuse .60 phong .9 phong_size 90 reflection .05 }
 }
-object { Goblet scale 1.08 translate <3.35, 0, .1> texture { Clear } interior { ior 1.5 } }
-object { Goblet scale .92 translate <-3.75, 0, -.5> texture { Gold } }
+object { Goblet scale 1.08 translate <3.1, .016, -.2> texture { Clear } interior { ior 1.5 } }
+object { Goblet scale .94 translate <-3.75, .016, -.5> texture { Gold } }
 
-#declare Teaspoon = object { Spoon scale .27 texture { Silver } }
-object { Teaspoon rotate -38 * y translate <-2.6, 0, -4.4> }
-object { Teaspoon rotate -30 * y translate <-1.75, 0, -4.8> }
-object { Pencil_Lying scale .36 rotate -20 * y translate <.9, 0, -4.6> }
+#declare Teaspoon = object { Spoon scale .26 texture { Silver } }
+object { Teaspoon rotate -34 * y translate <-2.7, .016, -4.3> }
+object { Teaspoon rotate -28 * y translate <-1.9, .001, -4.9> }
+object { Pencil_Lying scale .33 rotate -52 * y translate <1.7, .001, -5.1> }
 
-sphere { <1.15, .62, -2.3>, .62 texture { Clear } interior { ior 1.5 } }
+sphere { <1.15, .63, -2.2>, .61 texture { Clear } interior { ior 1.5 } }
 sphere {
-  <2.35, .45, -2.9>, .45
-  pigment { rgb <.85, .87, .9> } finish { ambient 0 diffuse .12 phong .9 phong_size 120 reflection .78 }
+  <2.35, .47, -2.8>, .45
+  pigment { rgb <.85, .87, .9> } finish { ambient 0 diffuse .1 phong .9 phong_size 120 reflection .8 }
 }
-sphere { <-2.2, .33, -2.2>, .33 pigment { rgb <.12, .34, .20> } finish { ambient .12 diffuse .6 phong .9 phong_size 90 reflection .08 } }
+sphere {
+  <-2.2, .35, -2.0>, .33
+  pigment { rgb <.10, .32, .18> } finish { ambient .12 diffuse .6 phong .9 phong_size 90 reflection .08 }
+}

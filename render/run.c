@@ -33,10 +33,23 @@ static const char *find_scene(const char *name, Arena *a)
     return access(name, F_OK) != 0 && access(longer, F_OK) == 0 ? longer : name;
 }
 
-static ParseOptions parse_options(const Options *o)
+/* Those of +L, then the scene's own folder (where POV-Ray, started from elsewhere, does not look). */
+static const char *const *library_paths(const Run *run)
 {
+    const Options *o = run->options;
+    const char *slash = strrchr(run->path, '/');
+    const char **paths = ARENA_ARRAY(run->arena, const char *, o->n_library_paths + 1);
+    for (size_t i = 0; i < o->n_library_paths; i++) paths[i] = o->library_paths[i];
+    int length = slash ? (int)(slash - run->path) + (slash == run->path) : 0;
+    paths[o->n_library_paths] = slash ? arena_printf(run->arena, "%.*s", length, run->path) : ".";
+    return paths;
+}
+
+static ParseOptions parse_options(const Run *run)
+{
+    const Options *o = run->options;
     return (ParseOptions){
-        .library_paths = o->library_paths, .n_library_paths = (int)o->n_library_paths,
+        .library_paths = library_paths(run), .n_library_paths = (int)o->n_library_paths + 1,
         .declares = o->declares, .n_declares = (int)o->n_declares,
         .version = o->version, .clock = o->clock, .clock_on = o->clock_on,
         .image_width = o->width, .image_height = o->height, .quality = o->quality, .nurbs = o->nurbs,
@@ -46,7 +59,7 @@ static ParseOptions parse_options(const Options *o)
 static bool read_scene(Run *run)
 {
     Diag *diag = diag_new(run->arena);
-    ParseOptions options = parse_options(run->options);
+    ParseOptions options = parse_options(run);
     run->scene = scene_new(run->arena);
     bool is_right = parse_scene(run->path, &options, run->arena, diag, run->scene, &run->summary);
     if (!is_right || !run->options->is_quiet) diag_print(diag, stderr);

@@ -109,6 +109,15 @@ sed -i 's/Size/1/; s/Glow + clock/0.5/' declared.pov
 run declared.pov +W20 +H20 +Oplain.png
 same declared.png plain.png
 
+test=included_files_are_found_beside_the_scene_and_by_the_library_path
+echo '#declare Radius = 1;' >folder/radius.inc
+echo '#include "radius.inc" sphere { z*5, Radius }' >folder/includes.pov
+mkdir library && echo '#declare Radius = undefined;' >library/radius.inc
+run check folder/includes.pov
+ends_with 0
+run check folder/includes.pov +Llibrary
+ends_with 1; says "library/radius.inc:1:"
+
 test=a_wrong_command_line_is_refused
 for wrong in +Wabc +W0 +Q99 +FT +A0.3 --nonsense --stats Colour=2 'second scene'; do
     run two.pov "$wrong"

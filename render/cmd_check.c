@@ -4,6 +4,13 @@
 
 static void print_count(const char *name, size_t n) { printf("  %-24s %zu\n", name, n); }
 
+static void print_kind(const InventoryKind *k)
+{
+    printf("    %-22s %zu", k->name, k->n_seen);
+    if (k->n < k->n_seen) printf(" (of %zu distinct)", k->n);
+    putchar('\n');
+}
+
 static void print_contents(const Run *run, const Inventory *v)
 {
     printf("%s:\n", run->path);
@@ -11,9 +18,9 @@ static void print_contents(const Run *run, const Inventory *v)
     print_count("bytes read", run->summary.n_bytes);
     print_count("objects", run->summary.n_objects);
     print_count("lights", run->summary.n_lights);
-    print_count("primitives", v->n_instances);
-    for (int i = 0; i < v->n_kinds; i++) printf("    %-22s %zu\n", v->kinds[i].name, v->kinds[i].n);
-    print_count("trims", run->summary.n_trims);
+    print_count("primitives", v->n_seen);
+    for (int i = 0; i < v->n_kinds; i++) print_kind(&v->kinds[i]);
+    print_count("trims", v->n_trims_seen);
     print_count("trim pieces", v->n_trim_pieces);
     print_count("control points", run->summary.n_control_points);
 }

@@ -25,13 +25,13 @@ static int by_address(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-static void count_kind(Inventory *out, const char *name)
+static InventoryKind *kind_of(Inventory *out, const char *name)
 {
     int i = 0;
     while (i < out->n_kinds && strcmp(out->kinds[i].name, name) != 0) i++;
-    if (i == INVENTORY_MAX_KINDS) return;
-    if (i == out->n_kinds) out->kinds[out->n_kinds++] = (InventoryKind){ name, 0 };
-    out->kinds[i].n++;
+    if (i == INVENTORY_MAX_KINDS) return &out->kinds[i - 1];   /* more kinds than there are */
+    if (i == out->n_kinds) out->kinds[out->n_kinds++] = (InventoryKind){ .name = name };
+    return &out->kinds[i];
 }
 
 static void count_surface(Inventory *out, const NurbsInfo *info)
@@ -48,18 +48,27 @@ static void count_surface(Inventory *out, const NurbsInfo *info)
     out->n_bytes += info->bytes;
 }
 
+/* A primitive that the walk met n_seen times. */
+static void count_shape(Inventory *out, const Shape *s, size_t n_seen)
+{
+    InventoryKind *kind = kind_of(out, s->type->name);
+    NurbsInfo info;
+    kind->n++, kind->n_seen += n_seen, out->n_seen += n_seen;
+    if (!nurbs_shape_info(s, &info)) return;
+    count_surface(out, &info);
+    out->n_surfaces_seen += n_seen;
+    out->n_trims_seen += n_seen * (size_t)info.n_trims;
+}
+
 Inventory inventory_make(Arena *a, const Scene *s)
 {
     Inventory out = { .needs_shadow_rays = s->needs_shadow_rays, .needs_secondary_rays = s->needs_secondary_rays };
     Walk w = { .arena = a };
     for (size_t i = 0; i < s->n_objects; i++) walk(&w, &s->objects[i]->shape);
-    out.n_instances = w.n;
     if (w.n) qsort(w.shapes, w.n, sizeof *w.shapes, by_address);
-    for (size_t i = 0; i < w.n; i++) {
-        if (i > 0 && w.shapes[i] == w.shapes[i - 1]) continue;
-        NurbsInfo info;
-        count_kind(&out, w.shapes[i]->type->name);
-        if (nurbs_shape_info(w.shapes[i], &info)) count_surface(&out, &info);
+    for (size_t i = 0, end; i < w.n; i = end) {
+        for (end = i + 1; end < w.n && w.shapes[end] == w.shapes[i]; end++) continue;
+        count_shape(&out, w.shapes[i], end - i);
     }
     return out;
 }

@@ -7,13 +7,14 @@
 #define INVENTORY_MAX_KINDS 64
 #define INVENTORY_MAX_LEFT_OUT 8
 
-typedef struct { const char *name; size_t n; } InventoryKind;   /* "sphere", 12: instances share one */
+/* "sphere", 2, 12: two of them, one or both shared by several objects, and a ray sees twelve. */
+typedef struct { const char *name; size_t n, n_seen; } InventoryKind;
 
 typedef struct {
     InventoryKind kinds[INVENTORY_MAX_KINDS];   /* primitives only, in order of first appearance */
     int n_kinds;
-    size_t n_instances;                         /* primitives as a ray sees them: shared geometry counts each time */
-    /* of NURBS surfaces; the leaves are those of surfaces that were prepared */
+    size_t n_seen, n_surfaces_seen, n_trims_seen;   /* shared geometry counts each time, as the paper's tables count */
+    /* of NURBS surfaces, each counted once; the leaves are those of surfaces that were prepared */
     size_t n_surfaces, n_polynomial, n_untrimmed, n_unprepared;
     size_t n_trims, n_trim_pieces, n_leaves, n_leaves_trimmed_away, n_leaves_untested, n_bytes;
     bool needs_shadow_rays, needs_secondary_rays;

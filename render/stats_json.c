@@ -23,7 +23,7 @@ static void add_run(cJSON *to, const Run *r)
     number(to, "peak_mb", stats_peak_mb());
 }
 
-/* "rays" are the paper's: one a pixel; "surfaces" and "trims" as it counts them too. */
+/* "rays" are the paper's: one a pixel. */
 static void add_counters(cJSON *to, const Counters *c)
 {
     count(to, "rays", c->camera_rays);
@@ -44,14 +44,17 @@ static void add_counters(cJSON *to, const Counters *c)
     count(to, "primitive_tests", c->primitive_tests);
 }
 
+/* "surfaces" and "trims" as the paper counts them: instances too; the rest is what is held in memory. */
 static void add_inventory(cJSON *to, const Inventory *v)
 {
-    count(to, "surfaces", v->n_surfaces);
-    count(to, "trims", v->n_trims);
+    count(to, "surfaces", v->n_surfaces_seen);
+    count(to, "trims", v->n_trims_seen);
+    count(to, "distinct_surfaces", v->n_surfaces);
+    count(to, "distinct_trims", v->n_trims);
     count(to, "leaves", v->n_leaves);
     count(to, "nurbs_bytes", v->n_bytes);
     cJSON *primitives = cJSON_AddObjectToObject(to, "primitives");
-    for (int i = 0; i < v->n_kinds; i++) count(primitives, v->kinds[i].name, v->kinds[i].n);
+    for (int i = 0; i < v->n_kinds; i++) count(primitives, v->kinds[i].name, v->kinds[i].n_seen);
 }
 
 static void add_left_out(cJSON *to, const Inventory *v)

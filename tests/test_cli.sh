@@ -159,6 +159,12 @@ ends_with 0; is_silent; prints "primitives"; prints "sphere"; prints "control po
 prints "division by weights: surfaces that are polynomial (1 of 1)"
 absent two.png
 
+test=instances_are_seen_but_not_copied
+echo '#declare Ball = sphere { 0, 1 }
+object { Ball } union { object { Ball translate x*3 } object { Ball scale 2 } } sphere { y*9, 1 }' >instances.pov
+run check instances.pov
+ends_with 0; prints "    sphere                 4 (of 2 distinct)"
+
 # The hits by hand: the sphere; through the hole to the plane; the patch, (u, v) = (.875, .5); the sphere from within, the
 # direction not of unit length; nothing.
 cat >rays.txt <<'TXT'

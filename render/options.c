@@ -191,7 +191,7 @@ static const Row table[] = {
       REAL(nurbs.flatness, 0x1p-1022, INFINITY) },
     { NULL, NULL, "max-iterations", "N", ALL, "steps of Newton's method", WHOLE(nurbs.max_iterations, 1, MAX_NEWTON) },
     { NULL, NULL, "rays", "FILE", S, "shoot: 6 little-endian doubles a ray; .txt and -: as text", TEXT(rays) },
-    { NULL, NULL, "stats", "FILE.json", R | S, "times and counts; taking them costs a few percent of time", TEXT(stats) },
+    { NULL, NULL, "stats", "FILE.json", R | S, "times and counts; taking them costs up to a tenth of the time", TEXT(stats) },
     { "V", "Verbose", "verbose", NULL, ALL, "tell more, on the standard error", FLAG(is_verbose) },
     { NULL, NULL, "quiet", NULL, ALL, "tell errors only", FLAG(is_quiet) },
     { "D", "Display", NULL, NULL, R, "read for POV-Ray's sake: there is no display", CUSTOM(set_nothing) },

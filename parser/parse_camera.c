@@ -71,6 +71,8 @@ void parse_camera(Parser *p, CameraDesc *out)
         expect_close(p, '}', "camera", opened);
         return;
     }
+    refuse_word(p, "spherical", "spherical camera");
+    refuse_word(p, "cylinder", "cylinder camera");
     *out = camera_desc_default();
     accept_kind(p, &out->kind);
     while (read_item(p, out)) continue;

@@ -143,18 +143,32 @@ static void state_global_settings(Parser *p, Place where)
     parse_global_settings(p);
 }
 
+/* POV-Ray reads it without its # too. */
+static void state_default(Parser *p, Place where)
+{
+    (void)where;
+    Place opened = expect_open(p, "default");
+    parse_default_items(p);
+    expect_close(p, '}', "default", opened);
+}
+
 static const struct {
     const char *word;
     void (*read)(Parser *p, Place where);
 } statements[] = {
     { "camera", state_camera }, { "light_source", state_light }, { "background", state_background },
     { "global_settings", state_global_settings }, { "sky_sphere", state_sky_sphere }, { "fog", state_fog },
+    { "default", state_default },
 };
 
-/* The default texture of this place in the file is the object's, not that of the end of the file. */
+/* An object without a texture has the default of this place in the file; it does not move with the object (measured with
+ * POV-Ray 3.7). */
 static void add_object(Parser *p, Object *o)
 {
-    if (!o->texture) o->texture = parser_scene(p)->default_texture;
+    if (!o->texture) {
+        o->texture = parser_scene(p)->default_texture;
+        o->texture_space = xform_identity();
+    }
     scene_add_object(parser_scene(p), o);
 }
 

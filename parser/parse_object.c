@@ -33,6 +33,14 @@ bool parse_left_out(Parser *p, const char *const words[])
     return false;
 }
 
+void refuse_word(Parser *p, const char *word, const char *feature)
+{
+    if (!peek_word(p, word)) return;
+    Token t = peek(p);
+    t.text = feature;
+    parse_fail_unsupported(p, t);
+}
+
 /* ---- modifiers ---- */
 
 /* The texture of o as seen from outside o: the transformations that were written after it are put into it, so that another
@@ -189,6 +197,11 @@ static Object *parse_object_block(Parser *p)
     Place opened = expect_open(p, "object");
     Value v;
     Object *o;
+    Token t = peek(p);
+    if (accept_value(p, VALUE_LIGHT, &v)) {
+        t.text = "light_source in object";
+        parse_fail_unsupported(p, t);
+    }
     if (accept_value(p, VALUE_OBJECT, &v)) o = object_copy(parser_arena(p), v.object);
     else o = parse_any_object(p);
     if (!o) parse_fail_expected(p, "an object");

@@ -136,6 +136,7 @@ static void read_body(Parser *p, Pigment *g)
     Value v;
     if (accept_value(p, VALUE_PIGMENT, &v)) *g = *v.pigment;
     while (read_item(p, g)) continue;
+    refuse_word(p, "object", "object pattern");
 }
 
 Pigment parse_pigment_from(Parser *p, const Pigment *base)

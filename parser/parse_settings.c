@@ -108,28 +108,51 @@ const SkySphere *parse_sky_sphere(Parser *p)
     return arena_copy(parser_arena(p), &sky, 1, sizeof sky);
 }
 
-static bool read_fog_item(Parser *p, Fog *f)
+typedef struct {
+    Fog fog;
+    Vec3 up;
+    Token up_word;
+} FogDraft;
+
+static void read_fog_type(Parser *p, Fog *f)
 {
     Place where = here(p);
-    if (accept_word(p, "fog_type")) f->type = parse_int(p);
+    f->type = parse_int(p);
+    if (f->type != 1 && f->type != 2) parse_fail(p, where, "expected a fog_type of 1 or 2, found %d", f->type);
+}
+
+static bool read_fog_item(Parser *p, FogDraft *d)
+{
+    Fog *f = &d->fog;
+    Token t = peek(p);
+    if (accept_word(p, "fog_type")) read_fog_type(p, f);
     else if (accept_word(p, "distance")) f->distance = parse_float(p);
     else if (accept_word(p, "fog_offset")) f->offset = parse_float(p);
     else if (accept_word(p, "fog_alt")) f->altitude = parse_float(p);
+    else if (accept_word(p, "up")) d->up = parse_vec3(p), d->up_word = t;
     else if (starts_expression(p)) f->color = parse_color(p);
     else return false;
-    if (f->type != 1 && f->type != 2) parse_fail(p, where, "expected a fog_type of 1 or 2, found %d", f->type);
     return true;
+}
+
+/* Ground fog lies along y here; `up` means nothing to fog that is the same everywhere. */
+static void check_up(Parser *p, FogDraft *d)
+{
+    if (d->fog.type == 1 || (d->up.x == 0 && d->up.y > 0 && d->up.z == 0)) return;
+    d->up_word.text = "ground fog that does not lie along y";
+    parse_fail_unsupported(p, d->up_word);
 }
 
 const Fog *parse_fog(Parser *p)
 {
     Place opened = expect_open(p, "fog");
-    Fog f = { .type = 1 };
+    FogDraft d = { .fog = { .type = 1 }, .up = vec(0, 1, 0) };
     Value v;
-    if (accept_value(p, VALUE_FOG, &v)) f = *v.fog;
-    while (read_fog_item(p, &f)) continue;
+    if (accept_value(p, VALUE_FOG, &v)) d.fog = *v.fog;
+    while (read_fog_item(p, &d)) continue;
     expect_close(p, '}', "fog", opened);
-    return arena_copy(parser_arena(p), &f, 1, sizeof f);
+    check_up(p, &d);
+    return arena_copy(parser_arena(p), &d.fog, 1, sizeof d.fog);
 }
 
 /* ---- what is not given ---- */

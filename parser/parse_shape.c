@@ -121,6 +121,7 @@ static Shape *parse_union(Parser *p, Place word)
     size_t n = 0, capacity = 0;
     for (Object *o; (o = parse_any_object(p)) != NULL;)
         ARENA_PUSH(parser_arena(p), parts, n, capacity) = is_plain(o) ? o->child : &o->shape;
+    refuse_word(p, "light_source", "light_source in a union");
     return union_new(parser_arena(p), parts, (uint32_t)n);
 }
 

@@ -52,9 +52,8 @@ static const Texture *texture_with_uv_mapping(Parser *p, const Texture *t)
 static void refuse_texture_patterns(Parser *p)
 {
     Token t = peek(p);
-    if (t.kind != TOKEN_WORD || !pattern_type(t.text)) return;
-    t.text = "texture_map";
-    parse_fail_unsupported(p, t);
+    if (t.kind == TOKEN_WORD && pattern_type(t.text)) refuse_word(p, t.text, "texture_map");
+    refuse_word(p, "object", "object pattern");
 }
 
 bool parse_texture_item(Parser *p, const Texture **t)

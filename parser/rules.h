@@ -28,6 +28,8 @@ void skip_block(Parser *p, const char *what);           /* { ... }, whatever is 
 /* If the next token is one of `words` (NULL-terminated), which cannot matter here, reads it with the number or block
  * that belongs to it, and warns once. */
 bool parse_left_out(Parser *p, const char *const words[]);
+/* If the next token is `word`, which is supported elsewhere but not here, fails with `feature`: "object pattern". */
+void refuse_word(Parser *p, const char *word, const char *feature);
 
 /* parse_texture.c */
 bool parse_texture_item(Parser *p, const Texture **t);  /* what may stand in texture { }: changes *t; false: none */

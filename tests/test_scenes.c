@@ -385,6 +385,17 @@ static void the_default_texture_is_that_of_the_place_in_the_file(void **state)
     done(&r);
 }
 
+static void a_default_texture_does_not_move(void **state)
+{
+    (void)state;
+    Reading r = read_text("#version 3.7; #default { pigment { checker rgb x rgb y } } union { box { 0, 1 } translate .5*x }"
+                          "box { 0, 1 pigment { checker rgb x rgb y } translate 2.5*x }");
+    check_color(color_there(&r, .6, .5), 1, 0, 0, "default");
+    check_color(color_there(&r, 1.4, .5), 0, 1, 0, "default");
+    check_color(color_there(&r, 3.4, .5), 1, 0, 0, "own");
+    done(&r);
+}
+
 /* ---- lights, camera, surroundings ---- */
 
 static void transformations_of_a_light_act_on_what_stands_before(void **state)
@@ -603,6 +614,7 @@ int main(void)
         cmocka_unit_test(maps_and_waves_are_read),
         cmocka_unit_test(finishes_are_read),
         cmocka_unit_test(the_default_texture_is_that_of_the_place_in_the_file),
+        cmocka_unit_test(a_default_texture_does_not_move),
         cmocka_unit_test(transformations_of_a_light_act_on_what_stands_before),
         cmocka_unit_test(cameras_are_made_by_the_rules),
         cmocka_unit_test(surroundings_are_read),

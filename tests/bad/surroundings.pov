@@ -11,3 +11,5 @@ sky_sphere { pigment { rgb 1 } }
 sky_sphere { pigment { rgb 1 } }
 light_source { 0, 1 looks_like { sphere { 0, 1 } } }
 sphere { 0, 1 }
+camera { spherical }
+fog { up z fog_type 2 }

@@ -10,3 +10,4 @@ sphere { 0, 1 finish { phongg 1 } }
 sphere { 0, 1 texture { phong 1 } }
 sphere { 0, 1 interior { media { } } }
 sphere { 0, 1 pigment { <1, 1, 1> } }
+sphere { 0, 1 pigment { object { sphere { 0, 1 } } } }

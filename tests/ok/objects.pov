@@ -32,3 +32,4 @@ object { Group rotate 30*y }
 #macro At(P) object { Ball translate P } #end
 At(<1, 2, 3>)
 union { At(x) At(y) }
+default { finish { ambient 1 } }

@@ -7,5 +7,5 @@ background { color rgb <.1, .2, .3> }
 sky_sphere { Sky rotate 20*y }
 #declare Mist = fog { fog_type 2 distance 10 color rgb .5 fog_offset 1 fog_alt 2 }
 fog { Mist }
-fog { distance 100 rgb <.5, .6, .7> }
+fog { distance 100 rgb <.5, .6, .7> up z }
 sphere { 0, 1 }

@@ -23,7 +23,7 @@ typedef struct {
 
 enum { SIDE, BASE, CAP };               /* Hit.leaf */
 
-static const double POINT_ERROR = 32 * 0x1p-53;   /* of (|o - base| + t |dir| + height + radii)(1 + |slope|) */
+static const double POINT_ERROR = 16 * 0x1p-53;   /* of (|o - base| + t |dir| + height + radius)(1 + |slope|) */
 
 /* The two end circles, as for a disc. */
 static Box cone_bounds(const Shape *shape)

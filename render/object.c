@@ -134,24 +134,22 @@ static Object *merge(Arena *a, const Object *outer, const Object *inner)
     return o;
 }
 
-/* An equal of o with one level less: o merged into what lies directly below it. */
-static Shape *distribute(Arena *a, const Object *o)
+/* s as it is within o, without o: its properties go down through compounds and are merged into the objects there. */
+static Shape *distribute(Arena *a, const Object *o, Shape *s)
 {
-    if (shape_is_object(o->child)) return &merge(a, o, (const Object *)o->child)->shape;
+    if (shape_is_object(s)) return &merge(a, o, (const Object *)s)->shape;
+    if (!s->type->parts) return &merge(a, o, wrap(a, s))->shape;
     Shape *const *parts;
-    uint32_t n = o->child->type->parts(o->child, &parts);
+    uint32_t n = s->type->parts(s, &parts);
     Shape **merged = ARENA_ARRAY(a, Shape *, n);
-    for (uint32_t i = 0; i < n; i++) {
-        const Object *inner = shape_is_object(parts[i]) ? (const Object *)parts[i] : wrap(a, parts[i]);
-        merged[i] = &merge(a, o, inner)->shape;
-    }
-    return o->child->type->with_parts(o->child, a, merged);
+    for (uint32_t i = 0; i < n; i++) merged[i] = distribute(a, o, parts[i]);
+    return s->type->with_parts(s, a, merged);
 }
 
-/* An equal of s, which has objects below, with one level less. */
+/* An equal of s with one level less; s has at least two. */
 static Shape *shallower(Arena *a, Shape *s)
 {
-    if (shape_is_object(s)) return distribute(a, (const Object *)s);
+    if (shape_is_object(s)) return distribute(a, (const Object *)s, ((const Object *)s)->child);
     Shape *const *parts;
     uint32_t n = s->type->parts(s, &parts);
     Shape **changed = ARENA_ARRAY(a, Shape *, n);

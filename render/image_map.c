@@ -46,22 +46,24 @@ ImageMap *image_map_new(Arena *a, const Image *picture, const ImageMapOptions *o
     return m;
 }
 
-static int wrapped(double i, int n)
+/* Repeated, or (once) continued by its border: that matters where pixels are blended. */
+static size_t index_in(const ImageMap *m, double i, int n)
 {
+    if (m->once) return (size_t)fmin(fmax(i, 0), n - 1);
     double r = fmod(i, n);
-    return r < 0 ? (int)(r + n) % n : (int)r;
+    return (size_t)(r < 0 ? r + n : r) % (size_t)n;
 }
 
 static Color pixel(const ImageMap *m, double column, double row)
 {
-    return m->pixels[(size_t)wrapped(row, m->height) * (size_t)m->width + (size_t)wrapped(column, m->width)];
+    return m->pixels[index_in(m, row, m->height) * (size_t)m->width + index_in(m, column, m->width)];
 }
 
 Color image_map_color(const ImageMap *m, double x, double y)
 {
     static const double SHIFT = 1e-10;   /* POV-Ray's, before rounding down: in pixels */
     if (m->once && (x < 0 || x > 1 || y < 0 || y > 1)) return (Color){ 0, 0, 0, 0, 1 };
-    if (!m->interpolates) return pixel(m, floor(x * m->width + SHIFT), floor(-(y * m->height + SHIFT)));
+    if (!m->interpolates) return pixel(m, floor(x * m->width + SHIFT), m->height + floor(-(y * m->height + SHIFT)));
     double column = x * m->width - .5, row = (1 - y) * m->height - .5;
     double i = floor(column), j = floor(row), s = column - i, t = row - j;
     Color upper = color_lerp(pixel(m, i, j), pixel(m, i + 1, j), s);

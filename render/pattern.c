@@ -5,7 +5,7 @@
 #include <string.h>
 
 /* POV-Ray adds this to coordinates before it rounds them down, so that a surface lying in a plane of a pattern's grid takes
- * the block above it in spite of rounding; and lets t = 1 pass its last reduction. In units of the pattern. */
+ * the block above it in spite of rounding; and reduces values by a period that leaves 1 as it is. In the pattern's units. */
 static const double GRID_SHIFT = 1e-10;
 static const double UNIT_PERIOD = 1.00001;
 
@@ -23,7 +23,7 @@ static double checker_value(const Pattern *p, Vec3 q)
 static double hexagon_value(const Pattern *p, Vec3 q)
 {
     static const double PERIOD_Z = 5.196152424, CELL_X = .5, CELL_Z = .866025404;   /* 3 sqrt 3, half, sqrt 3 / 2 */
-    static const int outer[6] = { 0, 1, 1, 2, 2, 0 }, inner[6] = { 1, 2, 2, 0, 0, 1 };
+    static const int outer[6] = { 0, 1, 1, 2, 2, 0 }, inner[6] = { 2, 2, 0, 0, 1, 1 };
     static const int below[6] = { 0, 2, 1, 0, 2, 1 }, above[6] = { 2, 1, 0, 2, 1, 0 };
     (void)p;
     double a = fmod(fabs(q.x) / CELL_X, 6), b = fmod((q.z < 0 ? PERIOD_Z - fabs(q.z) : q.z) / CELL_Z, 6);
@@ -67,7 +67,7 @@ static double boxed_value(const Pattern *p, Vec3 q) { (void)p; return 1 - fmin(1
 static double radial_value(const Pattern *p, Vec3 q)
 {
     (void)p;
-    return fmod(.25 + (atan2(q.x, q.z) + M_PI) / (2 * M_PI), 1);
+    return fmod(.25 + (atan2(q.x, q.z) + M_PI) / (2 * M_PI), UNIT_PERIOD);
 }
 
 static double leopard_value(const Pattern *p, Vec3 q)
@@ -85,7 +85,7 @@ static const PatternType pattern_types[] = {
     { .name = "brick", .n_blocks = 2, .value = brick_value,
       .blocks = { { .r = .5f, .g = .5f, .b = .5f }, { .r = .6f, .g = .15f, .b = .15f } } },
     { .name = "gradient", .value = gradient_value },
-    { .name = "radial", .value = radial_value },
+    { .name = "radial", .value = radial_value, .is_rainbow = true },
     { .name = "onion", .value = onion_value },
     { .name = "leopard", .value = leopard_value },
     { .name = "planar", .value = planar_value },

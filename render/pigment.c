@@ -19,11 +19,22 @@ static Color block_color(const Pigment *p, Vec3 point, Vec2 uv)
     return block < p->n_entries ? pigment_color(p->entries[block].pigment, point, uv) : p->pattern.type->blocks[block];
 }
 
+/* Without a map: black to white, or round the hues with POV-Ray's keys. */
+static Color default_map(const PatternType *type, double value)
+{
+    static const Color black = { 0 }, white = { 1, 1, 1, 0, 0 };
+    static const Color hues[] = { { 0, 1, 1, 0, 0 }, { 1, 1, 0, 0, 0 }, { 1, 0, 1, 0, 0 }, { 0, 1, 1, 0, 0 } };
+    static const float keys[] = { 0, .333f, .666f, 1 };
+    if (!type->is_rainbow) return color_lerp(black, white, value);
+    int i = value < keys[1] ? 0 : value < keys[2] ? 1 : 2;
+    return color_lerp(hues[i], hues[i + 1], fmin((value - keys[i]) / (keys[i + 1] - keys[i]), 1));
+}
+
 /* The first entry with a key not below the value, and the one before it. Two entries with the same key are a step. */
 static Color map_color(const Pigment *p, Vec3 point, Vec2 uv)
 {
     double value = pattern_value(&p->pattern, point);
-    if (p->n_entries == 0) return (Color){ (float)value, (float)value, (float)value, 0, 0 };
+    if (p->n_entries == 0) return default_map(p->pattern.type, value);
     const PigmentEntry *e = p->entries, *last = e + p->n_entries - 1;
     if (value >= last->key) return pigment_color(last->pigment, point, uv);
     int j = 0;

@@ -287,6 +287,7 @@ static Pixel shade_hit(Tracer *x, const Ray *r, const Hit *h, Path path)
     LayerAt *layers = ARENA_ARRAY(x->trace->scratch, LayerAt, at.texture->n_layers);
     int n = walk_layers(x, &at, path.media, layers, &through);
     Rgb sum = rgb_add(own_light(x->scene, layers, n), lit_by_all(x, &at, layers, n, path.media));
+    if (!x->scene->needs_secondary_rays) return (Pixel){ sum.r, sum.g, sum.b, 0 };
     Pixel behind = { 0 };
     double transmit = transmit_of(through);
     bool is_total = false;
@@ -298,7 +299,7 @@ static Pixel shade_hit(Tracer *x, const Ray *r, const Hit *h, Path path)
     return (Pixel){ sum.r, sum.g, sum.b, is_total ? 0 : behind.transmit * transmit };
 }
 
-/* The nearest hit. What lies nearer than its own error may be the surface that the ray has just left: the next one counts. */
+/* The nearest hit. What lies nearer than its own error may be the surface that the ray has just left: the next counts. */
 static bool nearest_hit(const Tracer *x, Ray *r, const Path *path, Hit *h)
 {
     for (;;) {

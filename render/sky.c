@@ -30,20 +30,22 @@ static double ground_fog_share(const Fog *f, double y1, double y2)
     return h1 > 0 ? 1 / (h1 * h1 + 1) : 1;
 }
 
+/* Several fogs do not dim each other: their light is added, as POV-Ray does. */
 Pixel sky_through_fog(const Scene *s, const Ray *r, double t, Pixel seen)
 {
     static const double SKY_DISTANCE = 2e10;   /* where POV-Ray has the sky for its fog */
     double distance = isinf(t) ? SKY_DISTANCE : t * vec_length(r->dir);
     double y2 = r->origin.y + distance * vec_normalize(r->dir).y;
+    Rgb sum = rgb(0, 0, 0), through = rgb(1, 1, 1);
     for (size_t i = 0; i < s->n_fogs; i++) {
         const Fog *f = &s->fogs[i];
         double depth = f->type == 2 ? distance * ground_fog_share(f, r->origin.y, y2) : distance;
-        double a = fmax(exp(-depth / f->distance), f->color.transmit), filter = f->color.filter;
+        double a = fmax(exp(-depth / f->distance), f->color.transmit), filter = a * f->color.filter;
         Rgb fog = color_rgb(f->color);
-        seen.r = (1 - a) * fog.r + a * (1 - filter + filter * fog.r) * seen.r;
-        seen.g = (1 - a) * fog.g + a * (1 - filter + filter * fog.g) * seen.g;
-        seen.b = (1 - a) * fog.b + a * (1 - filter + filter * fog.b) * seen.b;
+        sum = rgb_add(sum, rgb_scale(fog, 1 - a));
+        through = rgb_mul(through, rgb_add(rgb_scale(fog, filter), rgb(a - filter, a - filter, a - filter)));
         seen.transmit *= a;
     }
-    return seen;
+    sum = rgb_add(sum, rgb_mul(through, rgb(seen.r, seen.g, seen.b)));
+    return (Pixel){ sum.r, sum.g, sum.b, seen.transmit };
 }

@@ -21,6 +21,7 @@ typedef struct {
                                                         brick 2, hexagon 3: value() is the number of the block */
     double (*value)(const Pattern *p, Vec3 point);
     Color blocks[3];                                 /* the colours of blocks that the scene does not give */
+    bool is_rainbow;                                 /* default map: cyan, yellow, magenta, cyan; else black to white */
 } PatternType;
 
 struct Pattern {

@@ -17,7 +17,7 @@ plane {
 }
 
 // The rotor leans on a block at the back, the shaft lies before it, and the hand crank stands on its hub.
-object { Allblade rotate -58 * x rotate 14 * y translate <-2.9, 4.5, 5.6> }
-box { <-6, 0, 7.6>, <.2, 2.4, 9.4> pigment { rgb <.42, .30, .20> } finish { ambient .14 diffuse .65 } }
+object { Allblade rotate -58 * x rotate 14 * y translate <-2.9, 4.08, 5.6> }
+box { <-5.6, 0, 6.32>, <.2, 3.5, 8.2> pigment { rgb <.42, .30, .20> } finish { ambient .14 diffuse .65 } }
 object { Crank translate -Crank_Length / 2 * y rotate 20 * y rotate -90 * z rotate -20 * y translate <-.6, 1.77, -2.6> }
 object { Crank1a rotate 172 * y translate <8.9, 1.05, 5.2> }

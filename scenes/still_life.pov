@@ -19,7 +19,7 @@ light_source { <-9, 14, -9>, rgb <.94, .90, .82> }
 light_source { <11, 9, -12>, rgb <.24, .28, .36> }
 
 #declare Silver = texture {
-  pigment { rgb <.62, .62, .64> } finish { ambient .06 diffuse .30 phong .9 phong_size 60 metallic reflection .45 }
+  pigment { rgb <.62, .62, .64> } finish { ambient .06 diffuse .30 phong .9 phong_size 60 metallic reflection .5 }
 }
 #declare Gold = texture {
   pigment { rgb <.88, .56, .16> }
@@ -32,7 +32,18 @@ light_source { <11, 9, -12>, rgb <.24, .28, .36> }
 // The room: floor, wall behind, and the wall that only the mirror sees.
 plane { y, -9 pigment { rgb <.20, .17, .15> } finish { ambient .15 diffuse .6 } }
 plane { -z, -12 pigment { rgb <.22, .31, .33> } finish { ambient .15 diffuse .62 } }
-plane { z, -40 pigment { rgb <.50, .46, .42> } finish { ambient .3 diffuse .6 } }
+plane { z, -40 pigment { rgb <.34, .30, .27> } finish { ambient .3 diffuse .6 } }
+// A window beside the camera, for things that shine to mirror; the light comes from its place.
+union {
+  #for (I, 0, 3) box { <mod(I, 2) * 2.4, int(I / 2) * 2.8, 0>, <mod(I, 2) * 2.4 + 2.2, int(I / 2) * 2.8 + 2.6, .1> } #end
+  pigment { rgb <1, .97, .90> }
+  finish { ambient 1.1 diffuse 0 }
+  no_shadow
+  translate <-2.3, 0, 0>
+  scale 2.8
+  rotate 50 * y
+  translate <-17, 1, -14>
+}
 
 // The table, round: a plane with a circle for a trim, and its edge, half a torus in section.
 #declare Table_Top = 11;

@@ -3,9 +3,10 @@
  * A tree is walked without a stack: at position i of level 0 the largest subtree that begins there is tried first (its level
  * is the number of times that 4 divides i), then the first of its children, and so on; what is dismissed is stepped over.
  *
- * The winding number counts the pieces that a ray from p towards +u crosses, upward ones as +1. A run of pieces in a box that
- * lies wholly to the right of p counts by its two ends alone, whatever it does between them: so only boxes that contain p
- * are opened. A point level with p counts as below it, which makes each vertex belong to one of its pieces. */
+ * The winding number counts the pieces that a ray from p towards +u crosses, upward ones as +1. A run of pieces in a convex set
+ * that does not contain p counts as the straight piece between its ends does, for it can be drawn straight without passing
+ * p: so only runs whose box and strip contain p are opened. A point level with p counts as below it, which makes each vertex
+ * belong to one of its pieces. */
 #include "nurbs/trim_chain.h"
 
 #include <float.h>
@@ -130,11 +131,89 @@ bool trim_pieces_meet(Vec2 a, Vec2 b, Vec2 c, Vec2 d)
         && trim_side(a, b, c) * trim_side(a, b, d) <= 0 && trim_side(c, d, a) * trim_side(c, d, b) <= 0;
 }
 
+/* ---- strips ---- */
+
+/* Coordinates of points near the unit square along an axis err by less than 4 u in all; twice that, and to spare. */
+#define STRIP_MARGIN 0x1p-48
+
+static inline double along(const TrimStrip *s, int k, Vec2 p)
+{
+    return k == 0 ? vec2_dot(s->axis, p) : vec2_cross(s->axis, p);
+}
+
+/* The direction in which the points spread most: the greater eigenvector of their covariance. */
+static Vec2 main_axis(const Vec2 *p, int n)
+{
+    double x = 0, y = 0, xx = 0, xy = 0, yy = 0;
+    for (int i = 0; i < n; i++) x += p[i].x - p[0].x, y += p[i].y - p[0].y;
+    x = p[0].x + x / n, y = p[0].y + y / n;
+    for (int i = 0; i < n; i++) {
+        double dx = p[i].x - x, dy = p[i].y - y;
+        xx += dx * dx, xy += dx * dy, yy += dy * dy;
+    }
+    double angle = atan2(2 * xy, xx - yy) / 2;
+    return vec2(cos(angle), sin(angle));
+}
+
+static TrimStrip strip_of(const Vec2 *p, int n)
+{
+    TrimStrip s = { main_axis(p, n), { INFINITY, INFINITY }, { -INFINITY, -INFINITY } };
+    for (int i = 0; i < n; i++) {
+        for (int k = 0; k < 2; k++) {
+            double x = along(&s, k, p[i]);
+            s.lo[k] = fmin(s.lo[k], x - STRIP_MARGIN), s.hi[k] = fmax(s.hi[k], x + STRIP_MARGIN);
+        }
+    }
+    return s;
+}
+
+static bool strip_contains(const TrimStrip *s, Vec2 p)
+{
+    double x = along(s, 0, p), y = along(s, 1, p);
+    return x >= s->lo[0] && x <= s->hi[0] && y >= s->lo[1] && y <= s->hi[1];
+}
+
+/* Are they apart along an axis of s? The other one: its centre, half its sides, and the direction of the first. */
+static bool is_apart(const TrimStrip *s, Vec2 centre, Vec2 half, Vec2 direction)
+{
+    double c = fabs(vec2_dot(s->axis, direction)), d = fabs(vec2_cross(s->axis, direction));
+    double reach[2] = { half.x * c + half.y * d, half.x * d + half.y * c };
+    for (int k = 0; k < 2; k++) {
+        double x = along(s, k, centre), r = reach[k] + STRIP_MARGIN;
+        if (x - r > s->hi[k] || x + r < s->lo[k]) return true;
+    }
+    return false;
+}
+
+static bool strip_meets_rect(const TrimStrip *s, TrimRect r)
+{
+    return !is_apart(s, vec2((r.u0 + r.u1) / 2, (r.v0 + r.v1) / 2), vec2((r.u1 - r.u0) / 2, (r.v1 - r.v0) / 2), vec2(1, 0));
+}
+
+static bool is_apart_from_strip(const TrimStrip *s, const TrimStrip *t)
+{
+    double x = (t->lo[0] + t->hi[0]) / 2, y = (t->lo[1] + t->hi[1]) / 2;
+    Vec2 centre = vec2(x * t->axis.x - y * t->axis.y, x * t->axis.y + y * t->axis.x);
+    return is_apart(s, centre, vec2((t->hi[0] - t->lo[0]) / 2, (t->hi[1] - t->lo[1]) / 2), t->axis);
+}
+
 /* ---- chains ---- */
 
 static inline int piece_end(const TrimChain *c, int from, int n_pieces)
 {
     return c->n - from < n_pieces ? c->n : from + n_pieces;
+}
+
+static void add_strips(Arena *a, TrimChain *c)
+{
+    for (int level = 0; level < c->boxes.n_levels; level++) {
+        int n_pieces = span_of(level) * TRIM_GROUP;
+        c->strip[level] = ARENA_ARRAY(a, TrimStrip, c->boxes.n[level]);
+        for (int i = 0; i < c->boxes.n[level]; i++) {
+            int first = i * n_pieces;
+            c->strip[level][i] = strip_of(c->p + first, piece_end(c, first, n_pieces) - first + 1);
+        }
+    }
 }
 
 TrimChain trim_chain_make(Arena *a, const Vec2 *p, int n)
@@ -148,10 +227,13 @@ TrimChain trim_chain_make(Arena *a, const Vec2 *p, int n)
         for (int i = first + 1; i < end; i++) box[g] = trim_rect_union(box[g], trim_rect_of(p[i], p[i + 1]));
     }
     c.boxes = trim_boxes_make(a, box, n_groups);
+    add_strips(a, &c);
     return c;
 }
 
 TrimRect trim_chain_box(const TrimChain *c) { return c->boxes.box[c->boxes.n_levels - 1][0]; }
+
+/* ---- winding ---- */
 
 /* What the run from a to b counts if all of it is to the right of p. */
 static inline int straddles(Vec2 a, Vec2 b, Vec2 p) { return (b.y > p.y) - (a.y > p.y); }
@@ -170,14 +252,15 @@ static int group_winding(const TrimChain *c, int group, Vec2 p)
     return winding;
 }
 
-/* Position i of this level: can it be counted without a look inside? */
+/* The run at position i of this level: can it be counted without a look inside? */
 static inline bool counts_whole(const TrimChain *c, int level, int i, Vec2 p, int *winding)
 {
     TrimRect box = c->boxes.box[level][i >> (2 * level)];
     if (p.y < box.v0 || p.y >= box.v1 || p.x > box.u1) return true;
-    if (!(p.x < box.u0)) return false;
-    int first = i * TRIM_GROUP;
-    *winding += straddles(c->p[first], c->p[piece_end(c, first, span_of(level) * TRIM_GROUP)], p);
+    Vec2 a = c->p[i * TRIM_GROUP], b = c->p[piece_end(c, i * TRIM_GROUP, span_of(level) * TRIM_GROUP)];
+    if (p.x < box.u0) *winding += straddles(a, b, p);
+    else if (!strip_contains(&c->strip[level][i >> (2 * level)], p)) *winding += piece_winding(a, b, p);
+    else return false;
     return true;
 }
 
@@ -198,13 +281,42 @@ int trim_chain_winding(const TrimChain *c, Vec2 p)
     return winding;
 }
 
+/* ---- what is near ---- */
+
+/* The first group from `from` on whose box and strip meet r; -1: none. */
+static int next_group(const TrimChain *c, TrimRect r, int from)
+{
+    const TrimBoxes *t = &c->boxes;
+    for (int i = from; i < t->n[0]; ) {
+        int level = level_at(t, i);
+        while (trim_rects_meet(t->box[level][i >> (2 * level)], r) && strip_meets_rect(&c->strip[level][i >> (2 * level)], r)) {
+            if (level == 0) return i;
+            level--;
+        }
+        i += span_of(level);
+    }
+    return -1;
+}
+
+int trim_chain_next(const TrimChain *c, TrimRect r, int from)
+{
+    int i = from, group = from / TRIM_GROUP;
+    while (i < c->n) {
+        if (i % TRIM_GROUP == 0 || i == from) {
+            group = next_group(c, r, i / TRIM_GROUP);
+            if (group < 0) return -1;
+            if (group * TRIM_GROUP > i) i = group * TRIM_GROUP;
+        }
+        if (trim_rects_meet(trim_rect_of(c->p[i], c->p[i + 1]), r)) return i;
+        i++;
+    }
+    return -1;
+}
+
 bool trim_chain_meets(const TrimChain *c, TrimRect r)
 {
-    for (int g = trim_boxes_next(&c->boxes, r, 0); g >= 0; g = trim_boxes_next(&c->boxes, r, g + 1)) {
-        int first = g * TRIM_GROUP, end = piece_end(c, first, TRIM_GROUP);
-        for (int i = first; i < end; i++) {
-            if (trim_piece_meets_rect(c->p[i], c->p[i + 1], r)) return true;
-        }
+    for (int i = trim_chain_next(c, r, 0); i >= 0; i = trim_chain_next(c, r, i + 1)) {
+        if (trim_piece_meets_rect(c->p[i], c->p[i + 1], r)) return true;
     }
     return false;
 }
@@ -214,15 +326,53 @@ static inline TrimRect around(Vec2 p, double by) { return (TrimRect){ p.x - by, 
 TrimNearest trim_chain_nearest(const TrimChain *c, Vec2 p, double limit)
 {
     TrimNearest best = { limit, -1, p };
-    int g = trim_boxes_next(&c->boxes, around(p, limit), 0);
-    while (g >= 0) {
-        int first = g * TRIM_GROUP, end = piece_end(c, first, TRIM_GROUP);
-        for (int i = first; i < end; i++) {
-            Vec2 q = trim_piece_nearest(c->p[i], c->p[i + 1], p);
-            double d = vec2_length(vec2_sub(p, q));
-            if (d < best.distance) best = (TrimNearest){ d, i, q };
-        }
-        g = trim_boxes_next(&c->boxes, around(p, best.distance), g + 1);
+    int i = trim_chain_next(c, around(p, limit), 0);
+    while (i >= 0) {
+        Vec2 q = trim_piece_nearest(c->p[i], c->p[i + 1], p);
+        double d = vec2_length(vec2_sub(p, q));
+        if (d < best.distance) best = (TrimNearest){ d, i, q };
+        i = trim_chain_next(c, around(p, best.distance), i + 1);
     }
     return best;
+}
+
+/* ---- a chain against itself ---- */
+
+static bool runs_may_meet(const TrimChain *c, int level, int i, int j)
+{
+    const TrimStrip *s = &c->strip[level][i], *t = &c->strip[level][j];
+    return trim_rects_meet(c->boxes.box[level][i], c->boxes.box[level][j])
+        && !is_apart_from_strip(s, t) && !is_apart_from_strip(t, s);
+}
+
+static void groups_meet(const TrimChain *c, int g, int h, TrimPairVisit visit, void *context)
+{
+    for (int i = g * TRIM_GROUP; i < piece_end(c, g * TRIM_GROUP, TRIM_GROUP); i++) {
+        int first = h * TRIM_GROUP > i + 2 ? h * TRIM_GROUP : i + 2;
+        for (int j = first; j < piece_end(c, h * TRIM_GROUP, TRIM_GROUP); j++) {
+            if (i == 0 && j == c->n - 1) continue;
+            if (trim_pieces_meet(c->p[i], c->p[i + 1], c->p[j], c->p[j + 1])) visit(context, i, j);
+        }
+    }
+}
+
+/* Runs i <= j of this level. */
+static void runs_meet(const TrimChain *c, int level, int i, int j, TrimPairVisit visit, void *context)
+{
+    if (i != j && !runs_may_meet(c, level, i, j)) return;
+    if (level == 0) {
+        groups_meet(c, i, j, visit, context);
+        return;
+    }
+    int n = c->boxes.n[level - 1], fan = TRIM_BOXES_FAN;
+    for (int s = i * fan; s < (i + 1) * fan && s < n; s++) {
+        for (int t = j * fan; t < (j + 1) * fan && t < n; t++) {
+            if (s <= t) runs_meet(c, level - 1, s, t, visit, context);
+        }
+    }
+}
+
+void trim_chain_self_meets(const TrimChain *c, TrimPairVisit visit, void *context)
+{
+    runs_meet(c, c->boxes.n_levels - 1, 0, 0, visit, context);
 }

@@ -1,4 +1,4 @@
-/* A closed chain of pieces in the unit square, with a tree of boxes over runs of consecutive pieces: what trims are tested by.
+/* A closed chain of pieces in the unit square, with a tree of bounds over runs of consecutive pieces: what trims are tested by.
  *
  * A piece is monotone in u and in v, so that its box is the box of its ends, and here it is straight. Only the functions
  * trim_piece_* look between the ends. All predicates are exact: chains that share vertices and edges see the same sides. */
@@ -42,20 +42,33 @@ bool trim_pieces_meet(Vec2 a, Vec2 b, Vec2 c, Vec2 d);           /* cross or tou
 
 /* ---- the chain ---- */
 
-#define TRIM_GROUP 4   /* pieces in a box of level 0 */
+#define TRIM_GROUP 8   /* pieces in a box of level 0 */
+
+/* Beside its box a run has a strip, a box along the run's own main axis: it parts the needles of a gear, whose boxes overlap
+ * by the thousand. lo, hi: along the axis and across it (to its left); widened to contain the run in spite of rounding. */
+typedef struct { Vec2 axis; double lo[2], hi[2]; } TrimStrip;
 
 typedef struct {
     int n;                                   /* pieces; i goes from p[i] to p[i+1] */
     const Vec2 *p;                           /* n + 1 points, p[n] equal to p[0] */
     TrimBoxes boxes;                         /* over TRIM_GROUP pieces each */
+    TrimStrip *strip[TRIM_BOXES_MAX_LEVELS]; /* one for each box */
 } TrimChain;
 
 TrimChain trim_chain_make(Arena *a, const Vec2 *p, int n);       /* copies the n + 1 points */
 TrimRect trim_chain_box(const TrimChain *c);
 
 /* How often the chain goes round p, counterclockwise. Points on the chain are taken to be on one side or the other, the same
- * side by all chains that share the edge. O(log n) but for points that are in the boxes of many pieces. */
+ * side by all chains that share the edge. O(log n) but
+ * for points that are in the boxes and strips of many pieces. */
 int trim_chain_winding(const TrimChain *c, Vec2 p);
+
+/* Calls visit for all pairs of pieces i < j of the chain that meet, cross or touch, but are not neighbours. */
+typedef void (*TrimPairVisit)(void *context, int i, int j);
+void trim_chain_self_meets(const TrimChain *c, TrimPairVisit visit, void *context);
+
+/* The first piece i >= from whose box meets r, less those that are known not to meet it themselves; -1: none. */
+int trim_chain_next(const TrimChain *c, TrimRect r, int from);
 
 /* Does a piece meet the closed rectangle? If not, the winding is the same all over it, as trim_chain_winding computes it. */
 bool trim_chain_meets(const TrimChain *c, TrimRect r);

@@ -98,12 +98,10 @@ static bool meets_chain(const TrimChain *a, int i, const TrimChain *b, Vec2 *at)
 {
     Vec2 p = a->p[i], q = a->p[i + 1];
     TrimRect box = trim_rect_of(p, q);
-    for (int g = trim_boxes_next(&b->boxes, box, 0); g >= 0; g = trim_boxes_next(&b->boxes, box, g + 1)) {
-        for (int j = g * TRIM_GROUP; j < (g + 1) * TRIM_GROUP && j < b->n; j++) {
-            if (!trim_pieces_meet(p, q, b->p[j], b->p[j + 1])) continue;
-            *at = meeting_point(p, q, b->p[j], b->p[j + 1]);
-            return true;
-        }
+    for (int j = trim_chain_next(b, box, 0); j >= 0; j = trim_chain_next(b, box, j + 1)) {
+        if (!trim_pieces_meet(p, q, b->p[j], b->p[j + 1])) continue;
+        *at = meeting_point(p, q, b->p[j], b->p[j + 1]);
+        return true;
     }
     return false;
 }
@@ -136,36 +134,26 @@ TrimRelation trim_relation(const TrimChain *a, const TrimChain *b)
 /* ---- a chain with itself ---- */
 
 /* Where the chain is met by itself, as piece number + place on the piece. */
-typedef struct { double *at; size_t n, capacity; } Cuts;
+typedef struct { Arena *arena; const TrimChain *chain; double *at; size_t n, capacity; } Cuts;
 
-static void add_cut(Arena *scratch, Cuts *cuts, const TrimChain *c, int i, Vec2 p)
+static void add_cut(Cuts *cuts, int i, Vec2 p)
 {
-    Vec2 a = c->p[i], ab = vec2_sub(c->p[i + 1], a);
+    Vec2 a = cuts->chain->p[i], ab = vec2_sub(cuts->chain->p[i + 1], a);
     double s = vec2_dot(vec2_sub(p, a), ab) / vec2_dot(ab, ab);
-    ARENA_PUSH(scratch, cuts->at, cuts->n, cuts->capacity) = i + fmin(fmax(s, 0), 1);
+    ARENA_PUSH(cuts->arena, cuts->at, cuts->n, cuts->capacity) = i + fmin(fmax(s, 0), 1);
 }
 
-/* Both pieces get all that the one may meet the other in: a crossing point, or the ends of a common edge. */
-static void cut_pair(Arena *scratch, Cuts *cuts, const TrimChain *c, int i, int j)
+/* Both pieces are cut where the one may meet the other: at a crossing point, or at the ends of a common edge. */
+static void cut_pair(void *context, int i, int j)
 {
-    Vec2 a0 = c->p[i], a1 = c->p[i + 1], b0 = c->p[j], b1 = c->p[j + 1];
-    if (!trim_pieces_meet(a0, a1, b0, b1)) return;
-    if (trim_side(a0, a1, b0) == 0 && trim_side(a0, a1, b1) == 0) {
-        add_cut(scratch, cuts, c, i, b0), add_cut(scratch, cuts, c, i, b1);
-        add_cut(scratch, cuts, c, j, a0), add_cut(scratch, cuts, c, j, a1);
+    Cuts *cuts = context;
+    const Vec2 *a = cuts->chain->p + i, *b = cuts->chain->p + j;
+    if (trim_side(a[0], a[1], b[0]) == 0 && trim_side(a[0], a[1], b[1]) == 0) {
+        add_cut(cuts, i, b[0]), add_cut(cuts, i, b[1]);
+        add_cut(cuts, j, a[0]), add_cut(cuts, j, a[1]);
     } else {
-        Vec2 p = meeting_point(a0, a1, b0, b1);
-        add_cut(scratch, cuts, c, i, p), add_cut(scratch, cuts, c, j, p);
-    }
-}
-
-static void cut_groups(Arena *scratch, Cuts *cuts, const TrimChain *c, int g, int h)
-{
-    for (int i = g * TRIM_GROUP; i < (g + 1) * TRIM_GROUP && i < c->n; i++) {
-        for (int j = h * TRIM_GROUP; j < (h + 1) * TRIM_GROUP && j < c->n; j++) {
-            bool are_neighbours = j <= i + 1 || (i == 0 && j == c->n - 1);
-            if (!are_neighbours) cut_pair(scratch, cuts, c, i, j);
-        }
+        Vec2 p = meeting_point(a[0], a[1], b[0], b[1]);
+        add_cut(cuts, i, p), add_cut(cuts, j, p);
     }
 }
 
@@ -177,11 +165,8 @@ static int by_value(const void *a, const void *b)
 
 static Cuts find_cuts(Arena *scratch, const TrimChain *c)
 {
-    Cuts cuts = { 0 };
-    for (int g = 0; g < c->boxes.n[0]; g++) {
-        TrimRect box = c->boxes.box[0][g];
-        for (int h = g; h >= 0; h = trim_boxes_next(&c->boxes, box, h + 1)) cut_groups(scratch, &cuts, c, g, h);
-    }
+    Cuts cuts = { .arena = scratch, .chain = c };
+    trim_chain_self_meets(c, cut_pair, &cuts);
     if (cuts.n > 0) qsort(cuts.at, cuts.n, sizeof *cuts.at, by_value);
     return cuts;
 }

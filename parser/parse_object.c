@@ -43,13 +43,27 @@ void refuse_word(Parser *p, const char *word, const char *feature)
 
 /* ---- modifiers ---- */
 
+/* A copy of t moved with its object; what is mapped by uv stays as it is. */
+static const Texture *texture_moved(Parser *p, const Texture *t, const Xform *x)
+{
+    Layer *layers = arena_copy(parser_arena(p), t->layers, (size_t)t->n_layers, sizeof *layers);
+    for (int i = 0; i < t->n_layers; i++) {
+        if (layers[i].pigment->uv_mapping) continue;
+        Pigment *g = arena_copy(parser_arena(p), layers[i].pigment, 1, sizeof *g);
+        pigment_transform(g, x);
+        layers[i].pigment = g;
+    }
+    Texture moved = { .layers = layers, .n_layers = t->n_layers };
+    return arena_copy(parser_arena(p), &moved, 1, sizeof moved);
+}
+
 /* The texture of o as seen from outside o: the transformations that were written after it are put into it, so that another
- * layer, or another pigment, can join it. What is mapped by uv does not move with the object. */
+ * layer, or another pigment, can join it. */
 static const Texture *texture_in_place(Parser *p, const Object *o)
 {
     if (!o->texture) return parser_scene(p)->default_texture;
     if (xform_is_identity(&o->texture_space) || o->has_uv_mapping || o->texture->uv_mapping) return o->texture;
-    return texture_transformed(parser_arena(p), o->texture, &o->texture_space);
+    return texture_moved(p, o->texture, &o->texture_space);
 }
 
 static void set_texture(Object *o, const Texture *t)

@@ -46,7 +46,7 @@ static void read_blocks(Parser *p, Pigment *g)
         const Pigment *block = more ? parse_block(p) : NULL;
         more = block != NULL;
         list[i] = (PigmentEntry){ (float)i, block ? block : solid(p, type->blocks[i]) };
-        if (more && i + 1 < type->n_blocks) accept_comma(p);
+        if (more) accept_comma(p);
     }
     g->kind = PIGMENT_BLOCKS, g->entries = list, g->n_entries = type->n_blocks;
 }

@@ -385,6 +385,18 @@ static void the_default_texture_is_that_of_the_place_in_the_file(void **state)
     done(&r);
 }
 
+static void what_is_mapped_by_uv_does_not_move_with_the_object(void **state)
+{
+    (void)state;
+    Reading r = read_text("#version 3.7; #declare P = pigment { uv_mapping gradient x }"
+                          "sphere { 0, 1 pigment { P } translate 7*x texture { pigment { gradient x } } }");
+    const Texture *t = texture_of(&r, 0);
+    Vec3 nowhere = vec(.9, .9, .9);
+    check_color(pigment_color(t->layers[0].pigment, nowhere, vec2(.25, .5)), .25, .25, .25, "by uv");
+    check_color(pigment_color(t->layers[1].pigment, nowhere, vec2(.25, .5)), .9, .9, .9, "by place");
+    done(&r);
+}
+
 static void a_default_texture_does_not_move(void **state)
 {
     (void)state;
@@ -614,6 +626,7 @@ int main(void)
         cmocka_unit_test(maps_and_waves_are_read),
         cmocka_unit_test(finishes_are_read),
         cmocka_unit_test(the_default_texture_is_that_of_the_place_in_the_file),
+        cmocka_unit_test(what_is_mapped_by_uv_does_not_move_with_the_object),
         cmocka_unit_test(a_default_texture_does_not_move),
         cmocka_unit_test(transformations_of_a_light_act_on_what_stands_before),
         cmocka_unit_test(cameras_are_made_by_the_rules),

@@ -14,7 +14,7 @@ sphere { 0, 1 pigment { red .5 green .2 } }
 plane { y, 0 pigment { checker } }
 plane { y, 0 pigment { checker rgb 1 } }
 plane { y, 0 pigment { checker color rgb 1 color rgb 0 scale 2 rotate 45*y translate x } }
-plane { y, 0 pigment { checker rgb 1, rgb 0 } }
+plane { y, 0 pigment { checker rgb 1, rgb 0, scale 2 } }
 plane { y, 0 pigment { checker pigment { Wood } pigment { rgb 0 } } }
 plane { y, 0 pigment { brick rgb .3, rgb <1, .2, .1> brick_size <8, 3, 4> mortar .3 } }
 plane { y, 0 pigment { hexagon rgb x rgb y rgb z } }

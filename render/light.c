@@ -7,7 +7,6 @@ Light light_default(LightKind kind)
     return (Light){
         .kind = kind,
         .point_at = vec(0, 0, 1),
-        .is_parallel = kind == LIGHT_CYLINDER,
         .radius = is_spot ? 30 : .75, .falloff = is_spot ? 45 : 1,
         .area_n_u = 1, .area_n_v = 1, .area_adaptive = 100,
     };
@@ -47,7 +46,7 @@ LightAt light_at(const Light *l, Vec3 position, Vec3 point)
     Vec3 apart = vec_sub(position, point);
     Vec3 to_light = vec_normalize(apart), axis = vec_normalize(vec_sub(l->point_at, l->position));
     LightAt at = { .direction = to_light, .distance = vec_length(apart), .color = l->color };
-    if (l->is_parallel) {
+    if (light_is_parallel(l)) {
         at.direction = vec_neg(axis);
         at.distance = -vec_dot(apart, axis);
     }

@@ -13,13 +13,16 @@ typedef struct {
     LightKind kind;
     Vec3 position, point_at;                /* point_at: <0,0,1> where not given */
     Rgb color;
-    bool is_parallel, is_shadowless;
+    bool is_parallel, is_shadowless;        /* as written: see light_is_parallel */
     double radius, falloff, tightness;      /* spot: degrees, 30 45 0; cylinder: lengths, .75 1 0 */
     double fade_distance, fade_power;       /* both > 0: in force */
     bool is_area, area_circular, area_orient, area_illumination;
     Vec3 area_u, area_v;
     int area_n_u, area_n_v, area_adaptive;  /* adaptive: 100 where not given */
 } Light;
+
+/* Parallel by its kind or by the word: it shines along its axis everywhere. */
+static inline bool light_is_parallel(const Light *l) { return l->is_parallel || l->kind == LIGHT_CYLINDER; }
 
 Light light_default(LightKind kind);   /* of its kind: black, at the origin, without area */
 

@@ -144,5 +144,5 @@ Rgb shadow_light(const Shadow *q, const Light *l, const LightAt *lit)
     if (l->is_shadowless || is_black(lit->color)) return lit->color;
     if (l->is_area && q->has_areas) return area_light(q, l, lit->color);
     Vec3 to = vec_add(q->at->point, vec_scale(lit->direction, lit->distance));
-    return light_from(q, lit->direction, l->is_parallel ? to : l->position, lit->color);
+    return light_from(q, lit->direction, light_is_parallel(l) ? to : l->position, lit->color);
 }

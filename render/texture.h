@@ -49,8 +49,8 @@ struct Pigment {
     PigmentKind kind;
     Color color;                                     /* PIGMENT_COLOR */
     Pattern pattern;                                 /* PIGMENT_BLOCKS, PIGMENT_MAP */
-    const PigmentEntry *entries;                     /* BLOCKS: n_blocks of them; MAP: keys ascending */
-    int n_entries;
+    const PigmentEntry *entries;                     /* BLOCKS: n_blocks of them; MAP: keys ascending. Fewer: */
+    int n_entries;                                   /* the pattern's own colours, its default map */
     const ImageMap *image;                           /* PIGMENT_IMAGE */
     bool uv_mapping;
     bool is_moved;                                   /* space is not the identity */

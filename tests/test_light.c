@@ -34,7 +34,7 @@ static void parallel_lights_fade_along_their_axis_and_have_no_cone(void **state)
     } cases[] = {
         { "a point light fades with distance", LIGHT_POINT, { 3, 4, -5 }, { 0, 0, 0 }, false, 2, .1629 },
         { "a parallel one along its axis", LIGHT_POINT, { 3, 4, -5 }, { 3, 4, 0 }, true, 2, .2655 },
-        { "so does a cylinder", LIGHT_CYLINDER, { 3, 4, -5 }, { 3, 4, 0 }, true, 2, .2655 },
+        { "so does a cylinder", LIGHT_CYLINDER, { 3, 4, -5 }, { 3, 4, 0 }, false, 2, .2655 },
         { "a parallel spot has no cone", LIGHT_SPOT, { 0, 40, -5 }, { 0, 40, 0 }, true, 0, .7 },
         { "but a back", LIGHT_SPOT, { 0, 4, 5 }, { 0, 4, 10 }, true, 0, .1 },
         { "a parallel light has none", LIGHT_POINT, { 0, 4, 5 }, { 0, 4, 10 }, true, 0, .7 },

@@ -2,8 +2,8 @@
  *
  * With f = origin - centre, |f + t d|^2 = r^2 is a t^2 - 2 b t + c = 0 with a = d.d, b = -f.d, c = |f|^2 - r^2. The
  * discriminant b^2 - ac loses all digits for an origin far away; it equals a (r^2 - |foot|^2), where foot = f + (b/a) d is
- * the point of the ray nearest to the centre, and that does not ([Hai19]). c is (|f| - r)(|f| + r), exact in sign beside the
- * surface; the roots are q/a and c/q with q = b +- sqrt(a disc), which do not cancel.
+ * the point of the ray nearest to the centre, and that does not ([Hai19]). c is (|f| - r)(|f| + r); the roots are q/a and
+ * c/q with q = b +- sqrt(a disc), which do not cancel.
  *
  * Error: f and its length have relative errors of 2u, so the foot is off by at most 4u|f|, disc by 2r 4u|f| + 4u r^2, which
  * moves the point by at most 4u|f| + 2u r across the surface. Beside the surface (|f| <= 2r) c is off by 2u|f| 3r, which is

@@ -82,3 +82,46 @@ Box bezier_hull(int n, const Vec4 p[])
     for (int i = 0; i < n; i++) b = box_add_point(b, vec4_project(p[i]));
     return b;
 }
+
+/* The largest derivative of order (a, b), of the points and of the weights: its control points are differences. */
+typedef struct { double point, weight; } Largest;
+
+static Largest largest_derivative(int k_u, int k_v, const Vec4 *q, int a, int b)
+{
+    static const double choose[3][3] = { { 1 }, { -1, 1 }, { 1, -2, 1 } };   /* signed: of the a-th difference */
+    Largest most = { 0, 0 };
+    for (int i = 0; i < k_v - b; i++)
+        for (int j = 0; j < k_u - a; j++) {
+            Vec4 d = { 0 };
+            for (int y = 0; y <= b; y++)
+                for (int x = 0; x <= a; x++)
+                    d = vec4_add(d, vec4_scale(q[(i + y) * k_u + j + x], choose[a][x] * choose[b][y]));
+            most.point = fmax(most.point, d.x * d.x + d.y * d.y + d.z * d.z);
+            most.weight = fmax(most.weight, fabs(d.w));
+        }
+    double factor = (a > 0 ? k_u - 1 : 1) * (a > 1 ? k_u - 2 : 1) * (b > 0 ? k_v - 1 : 1) * (b > 1 ? k_v - 2 : 1);
+    return (Largest){ factor * sqrt(most.point), factor * most.weight };
+}
+
+/* About a point c of the hull the patch is S - c = Q / w, Q = sum B w_i (P_i - c), |S - c| <= radius. The quotient rule gives
+ * w S_u = Q_u - w_u (S - c), w S_uu = Q_uu - 2 w_u S_u - w_uu (S - c), w S_uv = Q_uv - w_u S_v - w_v S_u - w_uv (S - c), and
+ * Taylor half of |S_uu| + 2 |S_uv| + |S_vv|. With equal weights all but the first terms are 0. */
+double bezier_bend(int k_u, int k_v, const Vec4 patch[])
+{
+    Vec4 q[NURBS_MAX_ORDER * NURBS_MAX_ORDER];
+    Vec3 c = vec4_project(patch[0]);
+    double radius = 0, w = INFINITY;
+    for (int i = 0; i < k_u * k_v; i++) {
+        Vec3 r = vec_sub(vec4_project(patch[i]), c);
+        q[i] = vec4_weighted(vec4(r.x, r.y, r.z, patch[i].w));
+        radius = fmax(radius, vec_length(r)), w = fmin(w, patch[i].w);
+    }
+    Largest u = largest_derivative(k_u, k_v, q, 1, 0), v = largest_derivative(k_u, k_v, q, 0, 1);
+    Largest uu = largest_derivative(k_u, k_v, q, 2, 0), vv = largest_derivative(k_u, k_v, q, 0, 2);
+    Largest uv = largest_derivative(k_u, k_v, q, 1, 1);
+    double s_u = (u.point + u.weight * radius) / w, s_v = (v.point + v.weight * radius) / w;
+    double s_uu = (uu.point + 2 * u.weight * s_u + uu.weight * radius) / w;
+    double s_vv = (vv.point + 2 * v.weight * s_v + vv.weight * radius) / w;
+    double s_uv = (uv.point + u.weight * s_v + v.weight * s_u + uv.weight * radius) / w;
+    return (s_uu + 2 * s_uv + s_vv) / 2;
+}

@@ -7,7 +7,8 @@
  * Without a C of the user's, sqrt(length) is left out: n = TURN_CUTS turn. Newton's iteration knows no scale. What it needs of a
  * leaf is that the surface turns through a small angle only, and how long the leaf is matters to no one, as nothing is drawn
  * in straight lines; so the choice does not depend on the scale of the scene, and a small fillet on a large part is cut as
- * finely as a large one.
+ * finely as a large one. And as curves that are straight each may still twist against each other (a bilinear patch), the
+ * angle through which the other direction's tangent turns along the span is an n as well.
  *
  * Adaptive (after [Pet94]): a span of all rows is halved until the control polygon of each row is within a chord bound of its
  * chord; without a bound of the user's, within CHORD_SHARE of the polygon's own length, for the same reason. */
@@ -16,7 +17,12 @@
 #include "nurbs/bezier.h"
 #include "nurbs/knots.h"
 
-#define TURN_CUTS   2.0     /* knots added for each radian that a span turns through */
+#include <string.h>
+
+#ifndef TC
+#define TC 2.0
+#endif
+#define TURN_CUTS   TC     /* knots added for each radian that a span turns through */
 #define CHORD_SHARE 0.02    /* sagitta over length: of a circular arc of angle a it is a/8, so 0.16 rad a piece */
 #define MAX_ADDED   1023    /* knots in one span: C^2 of this is the worst case of leaves, reached by absurd C only */
 #define MAX_DEPTH   10      /* halvings: 2^10 pieces, the same limit */
@@ -58,14 +64,47 @@ FlattenCurve flatten_curve(int k, const double tau[], int mu, const Vec3 p[])
     return (FlattenCurve){ acceleration * dt / speed, speed * dt };
 }
 
+/* The angle between two edges across the quad, from a to c and from b to d, seen along it: each is turned by half of the angle
+ * out of the plane of the middle lines. */
+static double quad_twist(Vec3 a, Vec3 b, Vec3 c, Vec3 d)
+{
+    Vec3 along = vec_add(vec_sub(b, a), vec_sub(d, c)), across = vec_add(vec_sub(c, a), vec_sub(d, b));
+    Vec3 lift = vec_sub(vec_sub(d, c), vec_sub(b, a)), normal = vec_normalize(vec_cross(along, across));
+    return 2 * atan2(fabs(vec_dot(lift, normal)), vec_length(across));
+}
+
+/* The angle through which the tangent from curve p to its neighbour q turns along the span: the control points stand for
+ * steps of (tau_{j+k-1} - tau_j) / (k-1), as in V_j. */
+static double twist(int k, const double tau[], int mu, const Vec3 p[], const Vec3 q[])
+{
+    double turn = 0;
+    for (int i = 1; i < k; i++) {
+        int j = mu - k + 1 + i;
+        double steps = (k - 1) * (tau[mu + 1] - tau[mu]) / (tau[j + k - 1] - tau[j]);
+        turn = fmax(turn, steps * quad_twist(p[i - 1], p[i], q[i - 1], q[i]));
+    }
+    return turn;
+}
+
+static void curve_points(const Direction *d, int curve, int mu, Vec3 p[])
+{
+    for (int i = 0; i < d->k; i++) p[i] = vec4_project(control_point(d, curve, mu - d->k + 1 + i));
+}
+
 static int added_by_curvature(const Direction *d, const NurbsOptions *o, int mu)
 {
+    Vec3 p[NURBS_MAX_ORDER], neighbour[NURBS_MAX_ORDER];
     double n = 0;
     for (int curve = 0; curve < d->n_across; curve++) {
-        Vec3 p[NURBS_MAX_ORDER];
-        for (int i = 0; i < d->k; i++) p[i] = vec4_project(control_point(d, curve, mu - d->k + 1 + i));
+        curve_points(d, curve, mu, p);
         FlattenCurve c = flatten_curve(d->k, d->tau, mu, p);
-        n = fmax(n, o->flatness > 0 ? o->flatness * c.turn * sqrt(c.length) : TURN_CUTS * c.turn);
+        if (o->flatness > 0) {
+            n = fmax(n, o->flatness * c.turn * sqrt(c.length));
+        } else {
+            n = fmax(n, TURN_CUTS * c.turn);
+            if (curve > 0) n = fmax(n, TURN_CUTS * twist(d->k, d->tau, mu, neighbour, p));
+            memcpy(neighbour, p, sizeof p);
+        }
     }
     return (int)fmin(n + 0.5, MAX_ADDED);
 }

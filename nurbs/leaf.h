@@ -2,7 +2,7 @@
 #ifndef TRIMRAY_LEAF_H
 #define TRIMRAY_LEAF_H
 
-#include "nurbs/surface.h"
+#include "nurbs/refine.h"
 #include "render/bvh.h"
 
 /* A smooth stretch of one direction: it ends where the surface may have a corner or a gap (knots_breaks), so that within it one
@@ -13,6 +13,8 @@ typedef struct {
     double u0, u1, v0, v1;            /* the interval */
     const Piece *piece_u, *piece_v;   /* the smooth stretches that it lies in */
     double size;                      /* diagonal of the box of its control points */
+    double bend;                      /* in its spans, a step of s leaves ends within bend s^2 of where S_u and S_v say */
+    SurfacePoint middle;              /* of the interval: the guess that every ray starts from */
     int mu_u, mu_v;                   /* its spans */
     bool needs_trim_test;             /* false: wholly kept */
 } Leaf;

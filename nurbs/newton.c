@@ -65,20 +65,26 @@ static double f_rounding(const Surface *s, Vec3 from_origin)
     return 2 * (s->rounding + 8 * (DBL_EPSILON / 2) * vec_length(from_origin));
 }
 
-static void evaluate(Iteration *i)
+/* F, J and epsilon from S, S_u, S_v. */
+static void project(Iteration *i)
 {
-    const Surface *s = i->s;
     const NewtonRay *ray = i->ray;
-    i->mu_u = span_at(i->mu_u, i->u, s->k_u, s->n_u, s->tau_u, i->leaf->piece_u);
-    i->mu_v = span_at(i->mu_v, i->v, s->k_v, s->n_v, s->tau_v, i->leaf->piece_v);
-    refine_evaluate(s, i->mu_u, i->u, i->mu_v, i->v, &i->at);
     i->from_origin = vec_sub(i->at.point, ray->origin);
     i->F1 = vec_dot(ray->N1, i->from_origin), i->F2 = vec_dot(ray->N2, i->from_origin);
     i->F = sqrt(i->F1 * i->F1 + i->F2 * i->F2);
     i->J11 = vec_dot(ray->N1, i->at.s_u), i->J12 = vec_dot(ray->N1, i->at.s_v);
     i->J21 = vec_dot(ray->N2, i->at.s_u), i->J22 = vec_dot(ray->N2, i->at.s_v);
     i->det = i->J11 * i->J22 - i->J12 * i->J21;
-    i->epsilon = f_rounding(s, i->from_origin);
+    i->epsilon = f_rounding(i->s, i->from_origin);
+}
+
+static void evaluate(Iteration *i)
+{
+    const Surface *s = i->s;
+    i->mu_u = span_at(i->mu_u, i->u, s->k_u, s->n_u, s->tau_u, i->leaf->piece_u);
+    i->mu_v = span_at(i->mu_v, i->v, s->k_v, s->n_v, s->tau_v, i->leaf->piece_v);
+    refine_evaluate(s, i->mu_u, i->u, i->mu_v, i->v, &i->at);
+    project(i);
 }
 
 /* Compares squares: no root, and zero at a pole counts as singular. */
@@ -99,17 +105,22 @@ static double relative_step(const Iteration *i)
     return fmax(fabs(i->du) / (i->leaf->u1 - i->leaf->u0), fabs(i->dv) / (i->leaf->v1 - i->leaf->v0));
 }
 
-/* What second derivatives leave after a step of `relative` leaves: |S_uu| h_u^2 and its kind are at most (k-1)(k-2) times the
- * second differences of the leaf's polygon, each at most 4 leaf sizes: S is off by half the sum of three of those, squared
- * step each. */
-static double remainder_after(const Iteration *i, double relative)
+/* How far from the root the step ends, beyond what its first derivatives say; leaf.h. */
+static double remainder_after(const Iteration *i) { return i->leaf->bend * relative_step(i) * relative_step(i); }
+
+static bool is_in_spans(const Iteration *i, double u, double v)
 {
-    int k = i->s->k_u > i->s->k_v ? i->s->k_u : i->s->k_v;
-    return 8.0 * (k - 1) * (k - 1) * i->leaf->size * relative * relative;
+    const double *tau_u = i->s->tau_u + i->leaf->mu_u, *tau_v = i->s->tau_v + i->leaf->mu_v;
+    return tau_u[0] <= u && u <= tau_u[1] && tau_v[0] <= v && v <= tau_v[1];
 }
 
-/* Is the step so small that what it leaves is below the rounding of F? Then there is nothing to gain by evaluating again. */
-static bool is_last_step(const Iteration *i) { return remainder_after(i, relative_step(i)) < i->epsilon; }
+/* Does the step leave less than the rounding of F? Then there is nothing to gain by evaluating again. The leaf vouches for
+ * that as long as the step stays within its spans. */
+static bool is_last_step(const Iteration *i)
+{
+    return remainder_after(i) < i->epsilon
+        && is_in_spans(i, i->u, i->v) && is_in_spans(i, i->u + i->du, i->v + i->dv);
+}
 
 static double clamp(double x, Piece p) { return fmin(fmax(x, p.lo), p.hi); }
 
@@ -143,9 +154,9 @@ static void set_root(const Iteration *i, bool with_step, NewtonRoot *out)
     double depth = vec_dot(i->from_origin, d);
     out->u = i->u, out->v = i->v;
     double touching = i->epsilon + sqrt(2 * i->epsilon * (i->leaf->size + i->epsilon));
-    double error = (1 + slant) * (i->epsilon + (with_step ? remainder_after(i, relative_step(i)) : i->epsilon));
+    double error = (1 + slant) * (i->epsilon + (with_step ? remainder_after(i) : i->epsilon));
     if (with_step) {
-        out->u = clamp(i->u + i->du, *i->leaf->piece_u), out->v = clamp(i->v + i->dv, *i->leaf->piece_v);
+        out->u = i->u + i->du, out->v = i->v + i->dv;
         depth += a * i->du + b * i->dv;
     } else if (!(error < touching)) {
         error = touching;
@@ -156,20 +167,21 @@ static void set_root(const Iteration *i, bool with_step, NewtonRoot *out)
 NewtonOutcome newton_solve(const Surface *s, const Leaf *leaf, const NewtonRay *ray, int max_iterations, uint64_t seed,
                            Counters *counters, NewtonRoot *out)
 {
-    Iteration i = { .s = s, .leaf = leaf, .ray = ray, .mu_u = leaf->mu_u, .mu_v = leaf->mu_v };
+    Iteration i = { .s = s, .leaf = leaf, .ray = ray, .mu_u = leaf->mu_u, .mu_v = leaf->mu_v, .at = leaf->middle };
     i.u = leaf->u0 + (leaf->u1 - leaf->u0) / 2, i.v = leaf->v0 + (leaf->v1 - leaf->v0) / 2;
     double F_before = INFINITY;
-    for (int n = 0; n < max_iterations; n++) {
-        evaluate(&i);
-        counters->newton_iterations++;
+    project(&i);                                 /* the first evaluation is the same for all rays: see leaf.h */
+    for (int n = 0; ; n++) {
         bool can_step = !is_singular(&i);
         if (can_step) newton_step(&i);
         if (can_step && is_last_step(&i)) return set_root(&i, true, out), NEWTON_ROOT;
         if (i.F < i.epsilon) return set_root(&i, false, out), NEWTON_ROOT;
         if (i.F > F_before + i.epsilon) return NEWTON_WORSE;
+        if (n == max_iterations) return NEWTON_UNFINISHED;
         F_before = can_step ? i.F : INFINITY;
         if (!can_step) jitter(&i, hash_combine(seed, (uint64_t)n)), counters->newton_jitters++;
         else if (!move(&i)) return NEWTON_OUTSIDE;
+        evaluate(&i);
+        counters->newton_iterations++;
     }
-    return NEWTON_UNFINISHED;
 }

@@ -21,11 +21,17 @@ typedef struct {
     Leaf *leaves;
     Box *boxes;
     size_t n_leaves, n_boxes, leaves_capacity, boxes_capacity;
+    double bend;                      /* of the patch in work, for steps as long as the span */
     uint32_t n_cut, n_untested;
 } Preparation;
 
 /* Where a cell lies: the span and cut interval of one direction, and the smooth stretch round it. */
 typedef struct { int mu, cut; const Piece *piece; } Slot;
+
+static double share_of_span(const double *tau, const double *cuts, Slot at)
+{
+    return (cuts[at.cut + 1] - cuts[at.cut]) / (tau[at.mu + 1] - tau[at.mu]);
+}
 
 static const Piece *make_pieces(Arena *a, Arena *scratch, int k, int n, const double *tau)
 {
@@ -65,6 +71,9 @@ static void add_leaf(Preparation *p, Slot u, Slot v, const Vec4 *cell)
     p->n_untested += s->trims && !leaf.needs_trim_test;
     Box box = bezier_hull(s->k_u * s->k_v, cell);
     leaf.size = box_diagonal(box);
+    double part = fmax(share_of_span(s->tau_u, p->cuts_u.at, u), share_of_span(s->tau_v, p->cuts_v.at, v));
+    leaf.bend = p->bend * part * part;
+    refine_evaluate(s, u.mu, leaf.u0 + (leaf.u1 - leaf.u0) / 2, v.mu, leaf.v0 + (leaf.v1 - leaf.v0) / 2, &leaf.middle);
     ARENA_PUSH(p->scratch, p->leaves, p->n_leaves, p->leaves_capacity) = leaf;
     ARENA_PUSH(p->scratch, p->boxes, p->n_boxes, p->boxes_capacity) = box_expand(box, p->slack);
 }
@@ -102,8 +111,7 @@ static void cut_patch(Preparation *p, Slot u, Slot v, Vec4 *patch)
     }
 }
 
-/* The Bézier patch of a pair of spans. */
-static void close_span(const Surface *s, int mu_u, int mu_v, Vec4 *patch)
+void prepare_close_span(const Surface *s, int mu_u, int mu_v, Vec4 *patch)
 {
     for (int i = 0; i < s->k_v; i++) {
         const Vec4 *row = s->p + (size_t)(mu_v - s->k_v + 1 + i) * (size_t)s->n_u + (mu_u - s->k_u + 1);
@@ -131,7 +139,8 @@ static void cut_surface(Preparation *p)
     while (next_slot(&v, s->n_v, s->tau_v, &p->cuts_v)) {
         Slot u = { s->k_u - 2, 0, p->pieces_u };
         while (next_slot(&u, s->n_u, s->tau_u, &p->cuts_u)) {
-            close_span(s, u.mu, v.mu, patch);
+            prepare_close_span(s, u.mu, v.mu, patch);
+            p->bend = bezier_bend(s->k_u, s->k_v, patch);
             cut_patch(p, u, v, patch);
         }
     }

@@ -9,4 +9,7 @@
  * result lies in `a`; `scratch` is left as it was. */
 void prepare_leaves(Arena *a, Arena *scratch, const Surface *s, const NurbsOptions *o, LeafTree *out);
 
+/* The Bézier patch over the non-empty spans mu_u and mu_v: k_u * k_v homogeneous points, u fastest. */
+void prepare_close_span(const Surface *s, int mu_u, int mu_v, Vec4 *patch);
+
 #endif

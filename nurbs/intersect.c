@@ -1,6 +1,8 @@
 /* Traversal, Newton, trims: what becomes of a leaf that the ray reaches. See intersect.h. */
 #include "nurbs/intersect.h"
 
+#include "nurbs/knots.h"
+#include "nurbs/refine.h"
 #include "render/hash.h"
 
 typedef struct {
@@ -38,6 +40,7 @@ static bool visit_leaf(void *context, uint32_t i, const Ray *r, double *t_max, T
 {
     Search *search = context;
     NewtonRoot root;
+    if (!newton_may_reach(&search->tree->leaves[i], &search->ray)) return false;
     if (!solve(search, i, &root, t)) return false;
     if (!(root.t > r->t_min && root.t < *t_max)) return false;
     if (!is_kept(search->s, &search->tree->leaves[i], &root, t)) return false;
@@ -69,4 +72,45 @@ bool intersect_any(const Surface *s, const LeafTree *tree, int max_iterations, c
 {
     Search search = { .s = s, .tree = tree, .max_iterations = max_iterations, .wants_any = true };
     return search_leaves(&search, r, t_max, t);
+}
+
+/* ---- the normal of the winner ---- */
+
+/* Evaluates on the leaf's side of corners and gaps. */
+static SurfacePoint evaluate_beside(const Surface *s, const Leaf *l, double u, double v)
+{
+    SurfacePoint p;
+    int mu_u = u < l->piece_u->hi ? knots_span(s->k_u, s->n_u, s->tau_u, u) : knots_span_left(s->k_u, s->n_u, s->tau_u, u);
+    int mu_v = v < l->piece_v->hi ? knots_span(s->k_v, s->n_v, s->tau_v, v) : knots_span_left(s->k_v, s->n_v, s->tau_v, v);
+    refine_evaluate(s, mu_u, u, mu_v, v, &p);
+    return p;
+}
+
+/* The normal loses its meaning when S_u x S_v is lost in the rounding of S_u and S_v: if one of them is (its length over the
+ * leaf is near s->rounding), or if they are parallel. Half of the bits are asked for. */
+static bool is_regular(const Surface *s, const Leaf *l, const SurfacePoint *p, Vec3 normal)
+{
+    double along_u = vec_length(p->s_u), along_v = vec_length(p->s_v);
+    double lost = 0x1p26 * s->rounding;
+    return along_u * (l->u1 - l->u0) > lost && along_v * (l->v1 - l->v0) > lost
+        && vec_length(normal) > 0x1p-26 * along_u * along_v;
+}
+
+/* S_u x S_v; at a pole or on a collapsed side, its limit from inside the leaf: the point is moved towards the middle of the
+ * leaf, no farther than it takes. */
+static Vec3 normal_towards_middle(const Surface *s, const Leaf *l, double u, double v)
+{
+    double middle_u = l->u0 + (l->u1 - l->u0) / 2, middle_v = l->v0 + (l->v1 - l->v0) / 2;
+    Vec3 normal = { 0, 0, 0 };
+    for (double inwards = 0; inwards <= 1; inwards = inwards > 0 ? inwards * 16 : 0x1p-20) {
+        SurfacePoint p = evaluate_beside(s, l, u + inwards * (middle_u - u), v + inwards * (middle_v - v));
+        normal = vec_cross(p.s_u, p.s_v);
+        if (is_regular(s, l, &p, normal)) break;
+    }
+    return normal;
+}
+
+Vec3 intersect_normal(const Surface *s, const Leaf *leaf, double u, double v)
+{
+    return vec_normalize(normal_towards_middle(s, leaf, u, v));
 }

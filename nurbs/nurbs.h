@@ -43,7 +43,10 @@ typedef struct {
     bool keep_left;                  /* the side of a trim that is kept; false: the right, the seed paper's rule */
 } SurfaceDesc;
 
-typedef enum { NURBS_METHOD_PAPER } NurbsMethod;
+typedef enum {
+    NURBS_METHOD_PAPER,              /* [MCFS00], as published: newton.h */
+    NURBS_METHOD_CERTAIN             /* never a missed hit: certify.h */
+} NurbsMethod;
 typedef enum { NURBS_FLATTENING_CURVATURE, NURBS_FLATTENING_ADAPTIVE } NurbsFlattening;
 
 typedef struct {

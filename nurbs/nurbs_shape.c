@@ -1,91 +1,102 @@
-/* The adapter: a Surface as a Shape (render/shape.h). Its constructor is in nurbs.h. */
+/* The adapter: a Surface as a Shape (render/shape.h), one ShapeType for each method. Its constructor is in nurbs.h. */
+#include "nurbs/certain.h"
 #include "nurbs/intersect.h"
-#include "nurbs/knots.h"
 #include "nurbs/prepare.h"
-#include "nurbs/refine.h"
 #include "render/shape.h"
 
 typedef struct {
     Shape shape;
     const Surface *surface;
     NurbsOptions options;
-    LeafTree tree;               /* after preparation */
+    LeafTree leaves;             /* after preparation by `method paper` */
+    PatchTree patches;           /* by `method certain` */
     double prep_seconds;
 } NurbsShape;
 
 static Box nurbs_bounds(const Shape *s) { return ((const NurbsShape *)s)->surface->box; }
 
-static void nurbs_prepare(Shape *s, Arena *own, Trace *t)
+static void attributes_at(const NurbsShape *n, const Hit *h, Vec3 normal, Attributes *out)
+{
+    const Surface *s = n->surface;
+    out->normal = out->shading_normal = normal;
+    out->uv = vec2((h->u - s->u0) / (s->u1 - s->u0), (h->v - s->v0) / (s->v1 - s->v0));
+}
+
+/* ---- method certain ---- */
+
+static void certain_shape_prepare(Shape *s, Arena *own, Trace *t)
 {
     NurbsShape *n = (NurbsShape *)s;
     double begin = stats_now();
-    prepare_leaves(own, t->scratch, n->surface, &n->options, &n->tree);
+    certain_prepare(own, t->scratch, n->surface, &n->patches);
     n->prep_seconds = stats_now() - begin;
 }
 
-static bool nurbs_hit(const Shape *s, const Ray *r, Hit *best, Trace *t)
+static bool certain_shape_hit(const Shape *s, const Ray *r, Hit *best, Trace *t)
+{
+    const NurbsShape *n = (const NurbsShape *)s;
+    CertainHit hit;
+    if (!certain_nearest(n->surface, &n->patches, r, best->t, t, &hit)) return false;
+    hit_set(best, hit.t, hit.t_error, hit.u, hit.v, s, hit.patch);
+    return true;
+}
+
+static bool certain_shape_blocks(const Shape *s, const Ray *r, double t_max, Trace *t)
+{
+    const NurbsShape *n = (const NurbsShape *)s;
+    return certain_any(n->surface, &n->patches, r, t_max, t);
+}
+
+static void certain_shape_attributes(const Shape *s, const Ray *r, const Hit *h, Attributes *out)
+{
+    const NurbsShape *n = (const NurbsShape *)s;
+    (void)r;
+    attributes_at(n, h, certain_normal(&n->patches, h->leaf, h->u, h->v), out);
+}
+
+static const ShapeType certain_type = {
+    .name = "trimmed_nurbs", .bounds = nurbs_bounds, .prepare = certain_shape_prepare, .hit = certain_shape_hit,
+    .blocks = certain_shape_blocks, .attributes = certain_shape_attributes
+};
+
+/* ---- method paper ---- */
+
+static void paper_prepare(Shape *s, Arena *own, Trace *t)
+{
+    NurbsShape *n = (NurbsShape *)s;
+    double begin = stats_now();
+    prepare_leaves(own, t->scratch, n->surface, &n->options, &n->leaves);
+    n->prep_seconds = stats_now() - begin;
+}
+
+static bool paper_hit(const Shape *s, const Ray *r, Hit *best, Trace *t)
 {
     const NurbsShape *n = (const NurbsShape *)s;
     SurfaceHit hit;
-    if (!intersect_nearest(n->surface, &n->tree, n->options.max_iterations, r, best->t, t, &hit)) return false;
+    if (!intersect_nearest(n->surface, &n->leaves, n->options.max_iterations, r, best->t, t, &hit)) return false;
     hit_set(best, hit.root.t, hit.root.t_error, hit.root.u, hit.root.v, s, hit.leaf);
     return true;
 }
 
-static bool nurbs_blocks(const Shape *s, const Ray *r, double t_max, Trace *t)
+static bool paper_blocks(const Shape *s, const Ray *r, double t_max, Trace *t)
 {
     const NurbsShape *n = (const NurbsShape *)s;
-    return intersect_any(n->surface, &n->tree, n->options.max_iterations, r, t_max, t);
+    return intersect_any(n->surface, &n->leaves, n->options.max_iterations, r, t_max, t);
 }
 
-/* Evaluates on the leaf's side of corners and gaps. */
-static SurfacePoint evaluate_beside(const Surface *s, const Leaf *l, double u, double v)
+static void paper_attributes(const Shape *s, const Ray *r, const Hit *h, Attributes *out)
 {
-    SurfacePoint p;
-    int mu_u = u < l->piece_u->hi ? knots_span(s->k_u, s->n_u, s->tau_u, u) : knots_span_left(s->k_u, s->n_u, s->tau_u, u);
-    int mu_v = v < l->piece_v->hi ? knots_span(s->k_v, s->n_v, s->tau_v, v) : knots_span_left(s->k_v, s->n_v, s->tau_v, v);
-    refine_evaluate(s, mu_u, u, mu_v, v, &p);
-    return p;
-}
-
-/* The normal loses its meaning when S_u x S_v is lost in the rounding of S_u and S_v: if one of them is (its length over the
- * leaf is near s->rounding), or if they are parallel. Half of the bits are asked for. */
-static bool is_regular(const Surface *s, const Leaf *l, const SurfacePoint *p, Vec3 normal)
-{
-    double along_u = vec_length(p->s_u), along_v = vec_length(p->s_v);
-    double lost = 0x1p26 * s->rounding;
-    return along_u * (l->u1 - l->u0) > lost && along_v * (l->v1 - l->v0) > lost
-        && vec_length(normal) > 0x1p-26 * along_u * along_v;
-}
-
-/* S_u x S_v; at a pole or on a collapsed side, its limit from inside the leaf: the point is moved towards the middle of the
- * leaf, no farther than it takes. */
-static Vec3 normal_at(const Surface *s, const Leaf *l, double u, double v)
-{
-    double middle_u = l->u0 + (l->u1 - l->u0) / 2, middle_v = l->v0 + (l->v1 - l->v0) / 2;
-    Vec3 normal = { 0, 0, 0 };
-    for (double inwards = 0; inwards <= 1; inwards = inwards > 0 ? inwards * 16 : 0x1p-20) {
-        SurfacePoint p = evaluate_beside(s, l, u + inwards * (middle_u - u), v + inwards * (middle_v - v));
-        normal = vec_cross(p.s_u, p.s_v);
-        if (is_regular(s, l, &p, normal)) break;
-    }
-    return normal;
-}
-
-static void nurbs_attributes(const Shape *shape, const Ray *r, const Hit *h, Attributes *out)
-{
-    const NurbsShape *n = (const NurbsShape *)shape;
-    const Surface *s = n->surface;
+    const NurbsShape *n = (const NurbsShape *)s;
     (void)r;
-    out->normal = vec_normalize(normal_at(s, &n->tree.leaves[h->leaf], h->u, h->v));
-    out->shading_normal = out->normal;
-    out->uv = vec2((h->u - s->u0) / (s->u1 - s->u0), (h->v - s->v0) / (s->v1 - s->v0));
+    attributes_at(n, h, intersect_normal(n->surface, &n->leaves.leaves[h->leaf], h->u, h->v), out);
 }
 
-static const ShapeType nurbs_type = {
-    .name = "trimmed_nurbs", .bounds = nurbs_bounds, .prepare = nurbs_prepare, .hit = nurbs_hit, .blocks = nurbs_blocks,
-    .attributes = nurbs_attributes
+static const ShapeType paper_type = {
+    .name = "trimmed_nurbs", .bounds = nurbs_bounds, .prepare = paper_prepare, .hit = paper_hit, .blocks = paper_blocks,
+    .attributes = paper_attributes
 };
+
+static bool is_nurbs(const Shape *s) { return s->type == &certain_type || s->type == &paper_type; }
 
 Shape *nurbs_shape_new(Arena *a, const SurfaceDesc *desc, const NurbsOptions *options, NurbsError *error,
                        NurbsWarning *warnings, int max_warnings, int *n_warnings)
@@ -93,7 +104,7 @@ Shape *nurbs_shape_new(Arena *a, const SurfaceDesc *desc, const NurbsOptions *op
     const Surface *s = surface_new(a, desc, error, warnings, max_warnings, n_warnings);
     if (!s) return NULL;
     NurbsShape *n = ARENA_NEW(a, NurbsShape);
-    shape_init(&n->shape, &nurbs_type);
+    shape_init(&n->shape, options->method == NURBS_METHOD_PAPER ? &paper_type : &certain_type);
     n->surface = s;
     n->options = *options;
     return &n->shape;
@@ -101,16 +112,17 @@ Shape *nurbs_shape_new(Arena *a, const SurfaceDesc *desc, const NurbsOptions *op
 
 bool nurbs_shape_info(const Shape *shape, NurbsInfo *out)
 {
-    if (shape->type != &nurbs_type) return false;
+    if (!is_nurbs(shape)) return false;
     const NurbsShape *n = (const NurbsShape *)shape;
     const Surface *s = n->surface;
     *out = (NurbsInfo){ .is_polynomial = s->is_polynomial, .has_trims = s->trims != NULL };
     if (s->trims) out->n_trims = trim_loop_count(s->trims), out->n_trim_pieces = trim_piece_count(s->trims);
     out->was_prepared = shape_was_prepared(shape);
     if (!out->was_prepared) return true;
-    out->n_leaves = (int)n->tree.n_leaves;
-    out->n_leaves_trimmed_away = (int)n->tree.n_cut;
-    out->n_leaves_untested = (int)n->tree.n_untested;
+    bool is_paper = shape->type == &paper_type;
+    out->n_leaves = (int)(is_paper ? n->leaves.n_leaves : n->patches.n_patches);
+    out->n_leaves_trimmed_away = (int)(is_paper ? n->leaves.n_cut : n->patches.n_cut);
+    out->n_leaves_untested = (int)(is_paper ? n->leaves.n_untested : n->patches.n_untested);
     out->prep_seconds = n->prep_seconds;
     out->bytes = arena_bytes(shape->own);
     return true;
@@ -118,7 +130,7 @@ bool nurbs_shape_info(const Shape *shape, NurbsInfo *out)
 
 bool nurbs_shape_point(const Shape *shape, double u, double v, Vec3 *point, Vec3 *s_u, Vec3 *s_v)
 {
-    if (shape->type != &nurbs_type) return false;
+    if (!is_nurbs(shape)) return false;
     surface_point(((const NurbsShape *)shape)->surface, u, v, point, s_u, s_v);
     return true;
 }

@@ -157,8 +157,9 @@ static void read_flattening(Parser *p, SurfaceDraft *s)
 
 static void read_method(Parser *p, SurfaceDraft *s)
 {
-    if (!accept_word(p, "paper")) fail_choice(p, "'paper'");
-    s->options.method = NURBS_METHOD_PAPER;
+    bool is_certain = accept_word(p, "certain");
+    if (!is_certain && !accept_word(p, "paper")) fail_choice(p, "'certain' or 'paper'");
+    s->options.method = is_certain ? NURBS_METHOD_CERTAIN : NURBS_METHOD_PAPER;
 }
 
 static void read_flatness(Parser *p, SurfaceDraft *s)

@@ -125,8 +125,10 @@ static bool set_clock(Options *o, const Row *row, const char *value, bool is_on)
 static bool set_method(Options *o, const Row *row, const char *value, bool is_on)
 {
     (void)row, (void)is_on;
-    o->nurbs.method = NURBS_METHOD_PAPER;
-    return strcmp(value, "paper") == 0 || FAIL(o, "'%s' is not a method; there is: paper", value);
+    bool is_certain = strcmp(value, "certain") == 0;
+    if (!is_certain && strcmp(value, "paper") != 0) return FAIL(o, "'%s' is not a method; there are: certain, paper", value);
+    o->nurbs.method = is_certain ? NURBS_METHOD_CERTAIN : NURBS_METHOD_PAPER;
+    return true;
 }
 
 static bool set_flattening(Options *o, const Row *row, const char *value, bool is_on)
@@ -184,7 +186,7 @@ static const Row table[] = {
     { NULL, "Declare", "declare", "Name=X", ALL, "declare a number before the scene is read", CUSTOM(set_declare) },
     { "K", "Clock", "clock", "X", ALL, "the value of 'clock'", CUSTOM(set_clock), .lo = -INFINITY, .hi = INFINITY },
     { "MV", "Version", NULL, "X", ALL, "the language version of scenes without #version", REAL(version, 1, 3.7) },
-    { NULL, NULL, "method", "paper", ALL, "how rays meet NURBS surfaces", CUSTOM(set_method) },
+    { NULL, NULL, "method", "certain|paper", ALL, "how rays meet NURBS surfaces", CUSTOM(set_method) },
     { NULL, NULL, "flattening", "WAY", ALL, "how they are cut up: curvature (default) or adaptive",
       CUSTOM(set_flattening) },
     { NULL, NULL, "flatness", "C", ALL, "how finely, where the scene does not say",

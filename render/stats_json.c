@@ -12,7 +12,7 @@ static void add_run(cJSON *to, const Run *r)
     cJSON_AddStringToObject(to, "scene", r->path);
     count(to, "width", (uint64_t)o->width);
     count(to, "height", (uint64_t)o->height);
-    cJSON_AddStringToObject(to, "method", "paper");
+    cJSON_AddStringToObject(to, "method", o->nurbs.method == NURBS_METHOD_PAPER ? "paper" : "certain");
     cJSON_AddStringToObject(to, "flattening", o->nurbs.flattening == NURBS_FLATTENING_ADAPTIVE ? "adaptive" : "curvature");
     cJSON_AddBoolToObject(to, "interrupted", r->was_interrupted);
     number(to, "parse_seconds", r->parse_seconds);

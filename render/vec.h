@@ -4,6 +4,10 @@
 
 #include <math.h>
 
+/* The smaller, the larger: one instruction each, where fmin and fmax are calls. If one is NaN, the result is b. */
+static inline double double_min(double a, double b) { return a < b ? a : b; }
+static inline double double_max(double a, double b) { return a > b ? a : b; }
+
 typedef struct { double x, y; } Vec2;
 typedef struct { double x, y, z; } Vec3;
 typedef struct { double x, y, z, w; } Vec4;   /* a point: {x, y, z, weight}; homogeneous: {wx, wy, wz, w} */

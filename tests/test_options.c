@@ -121,7 +121,7 @@ static void numbers_are_checked(void **state)
     check_refused("+FT", "+FT: only PNG files are written: +FN");
     check_refused("Declare=2x=1", "Declare=2x=1: '2x' is not an identifier");
     check_refused("Declare=x", "Declare=x: expected Name=number");
-    check_refused("--method=guess", "--method=guess: 'guess' is not a method; there is: paper");
+    check_refused("--method=guess", "--method=guess: 'guess' is not a method; there are: certain, paper");
     check_refused("Output_Alpha=perhaps", "Output_Alpha=perhaps: expected on or off");
 }
 

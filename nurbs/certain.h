@@ -1,0 +1,36 @@
+/* `method certain`: a surface as a tree of Bézier patches, searched without a miss. */
+#ifndef TRIMRAY_CERTAIN_H
+#define TRIMRAY_CERTAIN_H
+
+#include "nurbs/certify.h"
+#include "nurbs/surface.h"
+#include "render/bvh.h"
+
+typedef struct {
+    const Patch *patches;
+    const bool *needs_trim_test;     /* false: wholly kept */
+    uint32_t n_patches;
+    const Bvh *bvh;                  /* item i is patches[i] */
+    uint32_t n_cut, n_untested;      /* dropped because trimmed away; kept without a trim test on a trimmed surface */
+} PatchTree;
+
+/* Cuts the surface into patches whose frames settle most rays, drops those that are trimmed away, and builds the tree. The
+ * result lies in `a`; `scratch` is left as it was. Linear in the number of spans. */
+void certain_prepare(Arena *a, Arena *scratch, const Surface *s, PatchTree *out);
+
+typedef struct {
+    double u, v;                     /* parameters of the surface */
+    double t, t_error;               /* in units of the ray's direction */
+    uint32_t patch;
+} CertainHit;
+
+/* The nearest hit in the open interval (r->t_min, t_max) that no trim cuts away; counts into t. */
+bool certain_nearest(const Surface *s, const PatchTree *tree, const Ray *r, double t_max, Trace *t, CertainHit *out);
+
+/* Is there any hit in (r->t_min, t_max)? */
+bool certain_any(const Surface *s, const PatchTree *tree, const Ray *r, double t_max, Trace *t);
+
+/* The unit normal S_u x S_v at (u, v) of patch i; where it vanishes (a pole, a collapsed side), its limit from within. */
+Vec3 certain_normal(const PatchTree *tree, uint32_t i, double u, double v);
+
+#endif

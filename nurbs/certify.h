@@ -1,0 +1,40 @@
+/* `method certain`: all roots of a ray and a Bézier patch, with proof.
+ *
+ * Three steps, each only where the one before leaves a doubt:
+ *   1. the patch's frame decides: certainly no root, or at most one (some forty operations);
+ *   2. where there is at most one, Newton finds it, or shows that it lies outside;
+ *   3. else clip.h: the Bernstein hull of the two plane equations is clipped and split until each piece is settled. */
+#ifndef TRIMRAY_CERTIFY_H
+#define TRIMRAY_CERTIFY_H
+
+#include "nurbs/patch.h"
+#include "render/shape.h"
+
+/* A ray as two planes and a direction: an orthonormal frame, made once per ray and surface. */
+typedef struct {
+    Vec3 origin, d;          /* d: unit */
+    Vec3 n1, n2;             /* unit, perpendicular to d and to each other */
+    double t_min, t_max;     /* along d; t_max shrinks as roots are accepted */
+} PatchRay;
+
+PatchRay patch_ray(Vec3 origin, Vec3 dir, double t_min, double t_max);
+
+typedef struct {
+    double s, t;             /* local parameters, in [0, 1] */
+    double depth;            /* along the unit direction */
+    double depth_error;      /* |depth - true depth| is at most this */
+    double distance;         /* the point of the ray at depth is at most this far from the surface */
+    bool is_tangent;         /* several roots closer together than the arithmetic can tell */
+} Root;
+
+/* Called for each root in (t_min, t_max), in no order. It may lower ray->t_max. Returns true to end the search. */
+typedef bool (*RootVisit)(void *context, const Patch *p, PatchRay *ray, const Root *root);
+
+/* All roots on the closed patch; one on a border may also be found on the neighbour. Returns whether a visit ended it.
+ * Counts certificates, fallbacks and iterations into t. */
+bool patch_roots(const Patch *p, PatchRay *ray, RootVisit visit, void *context, Trace *t);
+
+/* Rounding error of the plane equations over the weight: |computed N.(S - o) - true| <= this, for S on the patch. */
+double patch_rounding(const Patch *p, Vec3 offset);
+
+#endif

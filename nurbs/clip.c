@@ -1,0 +1,305 @@
+/* See clip.h. A Net holds, over one box of the patch, the Bernstein coefficients of
+ *   a, b   the two plane equations times the weight: zero together exactly at a root;
+ *   c, w   numerator and denominator of the depth along the ray: c/w bounds it by its coefficients' extremes.
+ *
+ * Rounding. The first net is exact within `rounding` (certify.h) times the weights. Restricting to a box is a convex
+ * combination whose own error is relative to the coefficients there, which shrink at least with the box: the errors of all
+ * levels together stay within twice the first. So a hull that excludes zero by more than SLACK = 2 times that excludes a root.
+ *
+ * Memory comes from the thread's scratch arena, with marks: the depth of the recursion is at most 2 * MAX_HALVINGS. */
+#include "nurbs/clip.h"
+
+#include "nurbs/nurbs.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#define SLACK 2.0
+#define ON_THE_RAY 2.0       /* a box whose coefficients are within that many errors of zero cannot be told from the ray */
+/* A box on the ray that is longer than this, in radii of the patch, is no tangent point (those are some 2^-26 long): the ray
+ * runs in the surface there, and the hit is where it enters. Boxes that a trim declines are not cut up without end. */
+#define IN_THE_SURFACE 0x1p-20
+enum { MAX_DECLINED = 64 };
+#define MIN_CLIP 0.8         /* a clip that leaves more than this of both sides is followed by a halving: the 20 % rule */
+#define MIN_WIDTH 0x1p-50    /* of the patch: parameters closer than that are one */
+
+typedef struct {
+    double *a, *b, *c, *w;
+    double s0, s1, t0, t1;
+    bool is_certified;       /* at most one root in it */
+} Net;
+
+typedef struct {
+    const Patch *p;
+    PatchRay *ray;
+    RootVisit visit;
+    void *context;
+    Trace *trace;
+    double rounding;         /* over the weight */
+    int n;                   /* coefficients of a net */
+    int *declined;           /* roots that the visitor did not take as the nearest, in the whole search */
+    bool *was_halved;        /* the search had to split: counted once as a fallback */
+} Clip;
+
+typedef struct { double lo, hi; } Range;
+
+static Range range_of(const double *c, int n)
+{
+    Range r = { c[0], c[0] };
+    for (int i = 1; i < n; i++) {
+        r.lo = c[i] < r.lo ? c[i] : r.lo;
+        r.hi = c[i] > r.hi ? c[i] : r.hi;
+    }
+    return r;
+}
+
+static Net net_new(const Clip *k)
+{
+    double *m = ARENA_ARRAY(k->trace->scratch, double, 4 * k->n);
+    return (Net){ .a = m, .b = m + k->n, .c = m + 2 * k->n, .w = m + 3 * k->n };
+}
+
+static Net net_copy(const Clip *k, const Net *from)
+{
+    Net to = net_new(k);
+    memcpy(to.a, from->a, 4 * (size_t)k->n * sizeof(double));
+    to.s0 = from->s0, to.s1 = from->s1, to.t0 = from->t0, to.t1 = from->t1, to.is_certified = from->is_certified;
+    return to;
+}
+
+/* k coefficients, `stride` apart, on [x0, x1] of their interval, 0 <= x0 < x1 <= 1. The ends that stay keep their bits. */
+static void restrict_row(double *c, int k, int stride, double x0, double x1)
+{
+    if (x1 < 1)
+        for (int n = 1; n < k; n++)
+            for (int i = k - 1; i >= n; i--)
+                c[i * stride] = (1 - x1) * c[(i - 1) * stride] + x1 * c[i * stride];
+    if (x0 > 0) {
+        double x = x0 / x1;
+        for (int n = 1; n < k; n++)
+            for (int i = 0; i < k - n; i++)
+                c[i * stride] = (1 - x) * c[i * stride] + x * c[(i + 1) * stride];
+    }
+}
+
+static void restrict_s(const Clip *k, Net *n, double x0, double x1)
+{
+    if (x0 <= 0 && x1 >= 1) return;
+    for (int row = 0; row < 4 * k->p->k_v; row++) restrict_row(n->a + row * k->p->k_u, k->p->k_u, 1, x0, x1);
+    double width = n->s1 - n->s0;
+    if (x1 < 1) n->s1 = n->s0 + x1 * width;
+    n->s0 += x0 * width;
+}
+
+static void restrict_t(const Clip *k, Net *n, double x0, double x1)
+{
+    if (x0 <= 0 && x1 >= 1) return;
+    for (int m = 0; m < 4; m++)
+        for (int i = 0; i < k->p->k_u; i++) restrict_row(n->a + m * k->n + i, k->p->k_v, k->p->k_u, x0, x1);
+    double width = n->t1 - n->t0;
+    if (x1 < 1) n->t1 = n->t0 + x1 * width;
+    n->t0 += x0 * width;
+}
+
+/* Bounds of the depth: a quotient of convex combinations lies between the extreme quotients of the coefficients. */
+static Range depth_range(const Clip *k, const Net *n)
+{
+    Range r = { INFINITY, -INFINITY };
+    for (int i = 0; i < k->n; i++) {
+        double d = n->c[i] / n->w[i];
+        r.lo = double_min(r.lo, d), r.hi = double_max(r.hi, d);
+    }
+    return r;
+}
+
+static bool report(const Clip *k, const Net *n, bool is_tangent)
+{
+    const Patch *p = k->p;
+    double s = 0.5 * (n->s0 + n->s1), t = 0.5 * (n->t0 + n->t1);
+    Range depth = depth_range(k, n);
+    double middle = 0.5 * (depth.lo + depth.hi);
+    if (!(middle > k->ray->t_min && middle < k->ray->t_max)) return false;
+    Root root = { .s = s, .t = t, .depth = middle, .depth_error = 0.5 * (depth.hi - depth.lo) + k->rounding,
+                  .distance = (1 + SLACK * ON_THE_RAY) * k->rounding, .is_tangent = is_tangent };
+    double t_max = k->ray->t_max;
+    bool ended = k->visit(k->context, p, k->ray, &root);
+    *k->declined += k->ray->t_max >= t_max;
+    return ended;
+}
+
+/* Is a box on the ray to be cut further, to find where the ray enters the surface? */
+static bool runs_in_surface(const Clip *k, Range depth)
+{
+    double length = depth.hi - depth.lo;
+    return *k->declined < MAX_DECLINED ? length > IN_THE_SURFACE * k->p->radius : length > k->p->radius / 16;
+}
+
+/* Where the convex hull of the points (i / (k-1), lo_i) and (i / (k-1), hi_i) meets zero, as an interval of [0, 1]; empty: lo >
+ * hi. Its ends lie on segments from a point above to one below; the ones that start at the lower of two points above, or end
+ * at the upper of two below, reach furthest. */
+static Range hull_meets_zero(const double *lo, const double *hi, int k)
+{
+    Range x = { INFINITY, -INFINITY };
+    for (int i = 0; i < k; i++) {
+        double x_i = (double)i / (k - 1);
+        if (lo[i] <= 0 && hi[i] >= 0) x.lo = double_min(x.lo, x_i), x.hi = double_max(x.hi, x_i);
+        if (!(hi[i] > 0)) continue;
+        double above = lo[i] > 0 ? lo[i] : hi[i];
+        for (int j = 0; j < k; j++) {
+            if (!(lo[j] < 0)) continue;
+            double below = hi[j] < 0 ? hi[j] : lo[j], step = (double)(j - i) / (k - 1);
+            double ends[4] = { above / (above - below), above / (above - lo[j]), hi[i] / (hi[i] - below),
+                               hi[i] / (hi[i] - lo[j]) };
+            for (int m = 0; m < 4; m++) {
+                double at = x_i + step * ends[m];
+                x.lo = double_min(x.lo, at), x.hi = double_max(x.hi, at);
+            }
+        }
+    }
+    return x;
+}
+
+/* The part of [0, 1] along s (or t) outside which g has no zero, widened by the rounding. */
+static Range clip_range(const Clip *k, const double *g, double error, bool along_s)
+{
+    int k_u = k->p->k_u, k_v = k->p->k_v, n = along_s ? k_u : k_v;
+    double lo[NURBS_MAX_ORDER], hi[NURBS_MAX_ORDER];
+    for (int i = 0; i < n; i++) lo[i] = INFINITY, hi[i] = -INFINITY;
+    for (int j = 0; j < k_v; j++)
+        for (int i = 0; i < k_u; i++) {
+            int at = along_s ? i : j;
+            double x = g[j * k_u + i];
+            lo[at] = double_min(lo[at], x), hi[at] = double_max(hi[at], x);
+        }
+    for (int i = 0; i < n; i++) lo[i] -= error, hi[i] += error;
+    Range r = hull_meets_zero(lo, hi, n);
+    return (Range){ double_max(0, r.lo - 4 * DBL_EPSILON), double_min(1, r.hi + 4 * DBL_EPSILON) };
+}
+
+/* The mean of the derivative coefficients: the difference quotient of the net's sides. */
+static void mean_derivatives(const Clip *k, const double *g, double *by_s, double *by_t)
+{
+    int k_u = k->p->k_u, k_v = k->p->k_v;
+    double s = 0, t = 0;
+    for (int j = 0; j < k_v; j++) s += g[j * k_u + k_u - 1] - g[j * k_u];
+    for (int i = 0; i < k_u; i++) t += g[(k_v - 1) * k_u + i] - g[i];
+    *by_s = s / k_v, *by_t = t / k_u;
+}
+
+/* Largest distance of the derivative coefficients of g from (by_s, by_t). */
+static void derivative_spread(const Clip *k, const double *g, double by_s, double by_t, double *spread_s, double *spread_t)
+{
+    int k_u = k->p->k_u, k_v = k->p->k_v;
+    *spread_s = *spread_t = 0;
+    for (int j = 0; j < k_v; j++)
+        for (int i = 0; i + 1 < k_u; i++)
+            *spread_s = double_max(*spread_s, fabs((k_u - 1) * (g[j * k_u + i + 1] - g[j * k_u + i]) - by_s));
+    for (int j = 0; j + 1 < k_v; j++)
+        for (int i = 0; i < k_u; i++)
+            *spread_t = double_max(*spread_t, fabs((k_v - 1) * (g[(j + 1) * k_u + i] - g[j * k_u + i]) - by_t));
+}
+
+typedef struct { Range s, t; bool is_empty; } Clipped;
+
+/* Clips the box by g = A (a, b), A the inverse of the mean Jacobian; notes in n whether that certifies it. */
+static Clipped clip_preconditioned(const Clip *k, Net *n, double error)
+{
+    double a_s, a_t, b_s, b_t;
+    mean_derivatives(k, n->a, &a_s, &a_t);
+    mean_derivatives(k, n->b, &b_s, &b_t);
+    double det = a_s * b_t - a_t * b_s, size = hypot(a_s, b_s) * hypot(a_t, b_t);
+    Clipped out = { { 0, 1 }, { 0, 1 }, false };
+    if (!(fabs(det) > 0x1p-40 * size) || !isfinite(1 / det)) return out;
+    double a11 = b_t / det, a12 = -a_t / det, a21 = -b_s / det, a22 = a_s / det;
+    double *g1 = ARENA_ARRAY(k->trace->scratch, double, 2 * k->n), *g2 = g1 + k->n;
+    for (int i = 0; i < k->n; i++) {
+        g1[i] = a11 * n->a[i] + a12 * n->b[i];
+        g2[i] = a21 * n->a[i] + a22 * n->b[i];
+    }
+    out.s = clip_range(k, g1, error * (fabs(a11) + fabs(a12)), true);
+    out.t = clip_range(k, g2, error * (fabs(a21) + fabs(a22)), false);
+    out.is_empty = out.s.lo > out.s.hi || out.t.lo > out.t.hi;
+    if (!n->is_certified) {   /* |I - A J| < 1 in the maximum norm, from the Bernstein coefficients of A J */
+        double ss, st, ts, tt;
+        derivative_spread(k, g1, 1, 0, &ss, &st);
+        derivative_spread(k, g2, 0, 1, &ts, &tt);
+        n->is_certified = ss + st < 0.98 && ts + tt < 0.98;
+    }
+    return out;
+}
+
+static bool settle(const Clip *k, Net *n);
+
+/* Both halves, the nearer one first, so that what lies behind an accepted root is never looked at. */
+static bool halve(const Clip *k, Net *n)
+{
+    if (!*k->was_halved) k->trace->counters.fallbacks++, *k->was_halved = true;
+    double span_s = n->s1 - n->s0, span_t = n->t1 - n->t0, a_s, a_t, b_s, b_t;
+    derivative_spread(k, n->a, 0, 0, &a_s, &a_t);
+    derivative_spread(k, n->b, 0, 0, &b_s, &b_t);
+    bool along_s = double_max(a_s, b_s) >= double_max(a_t, b_t);   /* the longer side of the image */
+    if (span_s <= MIN_WIDTH) along_s = false;
+    if (span_t <= MIN_WIDTH) along_s = true;
+    Net other = net_copy(k, n);
+    if (along_s) restrict_s(k, n, 0, 0.5), restrict_s(k, &other, 0.5, 1);
+    else restrict_t(k, n, 0, 0.5), restrict_t(k, &other, 0.5, 1);
+    bool other_first = depth_range(k, &other).lo < depth_range(k, n).lo;
+    return settle(k, other_first ? &other : n) || settle(k, other_first ? n : &other);
+}
+
+/* Finds all roots in a box; n is used up. Returns whether a visit ended the search. */
+static bool settle_in_scratch(const Clip *k, Net *n)
+{
+    for (;;) {
+        double w_max = range_of(n->w, k->n).hi, error = SLACK * k->rounding * w_max;
+        Range a = range_of(n->a, k->n), b = range_of(n->b, k->n);
+        if (a.lo > error || a.hi < -error || b.lo > error || b.hi < -error) return false;
+        Range depth = depth_range(k, n);
+        if (depth.lo - k->rounding > k->ray->t_max || depth.hi + k->rounding < k->ray->t_min) return false;
+        bool is_point = n->s1 - n->s0 <= MIN_WIDTH && n->t1 - n->t0 <= MIN_WIDTH;
+        double size = double_max(double_max(a.hi, -a.lo), double_max(b.hi, -b.lo));
+        if (is_point) return report(k, n, !n->is_certified);
+        if (size <= ON_THE_RAY * error) return runs_in_surface(k, depth) ? halve(k, n) : report(k, n, !n->is_certified);
+
+        Clipped c = clip_preconditioned(k, n, error);
+        if (c.is_empty) return false;
+        bool is_worth_it = c.s.hi - c.s.lo <= MIN_CLIP || c.t.hi - c.t.lo <= MIN_CLIP;
+        restrict_s(k, n, c.s.lo, c.s.hi);
+        restrict_t(k, n, c.t.lo, c.t.hi);
+        if (is_worth_it) continue;
+        /* At most one root, and clipping converges quadratically to it: what stops it is the rounding. */
+        return n->is_certified ? report(k, n, false) : halve(k, n);
+    }
+}
+
+static bool settle(const Clip *k, Net *n)
+{
+    ArenaMark mark = arena_mark(k->trace->scratch);
+    bool ended = settle_in_scratch(k, n);
+    arena_reset(k->trace->scratch, mark);
+    return ended;
+}
+
+bool clip_roots(const Patch *p, PatchRay *ray, RootVisit visit, void *context, Trace *trace)
+{
+    Vec3 o = vec_sub(ray->origin, p->origin);
+    int declined = 0;
+    bool was_halved = false;
+    Clip k = { p, ray, visit, context, trace, patch_rounding(p, o), p->k_u * p->k_v, &declined, &was_halved };
+    double q1 = vec_dot(ray->n1, o), q2 = vec_dot(ray->n2, o), q3 = vec_dot(ray->d, o);
+    ArenaMark mark = arena_mark(trace->scratch);
+    Net n = net_new(&k);
+    n.s0 = n.t0 = 0, n.s1 = n.t1 = 1, n.is_certified = false;
+    for (int i = 0; i < k.n; i++) {
+        Vec4 h = p->p[i];
+        Vec3 x = vec(h.x, h.y, h.z);
+        n.a[i] = vec_dot(ray->n1, x) - h.w * q1;
+        n.b[i] = vec_dot(ray->n2, x) - h.w * q2;
+        n.c[i] = vec_dot(ray->d, x) - h.w * q3;
+        n.w[i] = h.w;
+    }
+    bool ended = settle_in_scratch(&k, &n);
+    arena_reset(trace->scratch, mark);
+    return ended;
+}

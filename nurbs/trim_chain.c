@@ -336,43 +336,63 @@ TrimNearest trim_chain_nearest(const TrimChain *c, Vec2 p, double limit)
     return best;
 }
 
-/* ---- a chain against itself ---- */
+/* ---- two chains, or one against itself ---- */
 
-static bool runs_may_meet(const TrimChain *c, int level, int i, int j)
+typedef struct { const TrimChain *a, *b; TrimPairVisit visit; void *context; } Pairing;
+
+static bool runs_may_meet(const Pairing *p, int level_a, int i, int level_b, int j)
 {
-    const TrimStrip *s = &c->strip[level][i], *t = &c->strip[level][j];
-    return trim_rects_meet(c->boxes.box[level][i], c->boxes.box[level][j])
+    const TrimStrip *s = &p->a->strip[level_a][i], *t = &p->b->strip[level_b][j];
+    return trim_rects_meet(p->a->boxes.box[level_a][i], p->b->boxes.box[level_b][j])
         && !is_apart_from_strip(s, t) && !is_apart_from_strip(t, s);
 }
 
-static void groups_meet(const TrimChain *c, int g, int h, TrimPairVisit visit, void *context)
+static bool pieces_pair(const Pairing *p, int i, int j)
 {
-    for (int i = g * TRIM_GROUP; i < piece_end(c, g * TRIM_GROUP, TRIM_GROUP); i++) {
-        int first = h * TRIM_GROUP > i + 2 ? h * TRIM_GROUP : i + 2;
-        for (int j = first; j < piece_end(c, h * TRIM_GROUP, TRIM_GROUP); j++) {
-            if (i == 0 && j == c->n - 1) continue;
-            if (trim_pieces_meet(c->p[i], c->p[i + 1], c->p[j], c->p[j + 1])) visit(context, i, j);
-        }
-    }
+    const TrimChain *a = p->a, *b = p->b;
+    if (a == b && (j <= i + 1 || (i == 0 && j == a->n - 1))) return false;
+    if (!trim_pieces_meet(a->p[i], a->p[i + 1], b->p[j], b->p[j + 1])) return false;
+    return !p->visit || p->visit(p->context, i, j);
 }
 
-/* Runs i <= j of this level. */
-static void runs_meet(const TrimChain *c, int level, int i, int j, TrimPairVisit visit, void *context)
+static bool groups_pair(const Pairing *p, int g, int h)
 {
-    if (i != j && !runs_may_meet(c, level, i, j)) return;
-    if (level == 0) {
-        groups_meet(c, i, j, visit, context);
-        return;
-    }
-    int n = c->boxes.n[level - 1], fan = TRIM_BOXES_FAN;
-    for (int s = i * fan; s < (i + 1) * fan && s < n; s++) {
-        for (int t = j * fan; t < (j + 1) * fan && t < n; t++) {
-            if (s <= t) runs_meet(c, level - 1, s, t, visit, context);
+    int end_a = piece_end(p->a, g * TRIM_GROUP, TRIM_GROUP), end_b = piece_end(p->b, h * TRIM_GROUP, TRIM_GROUP);
+    for (int i = g * TRIM_GROUP; i < end_a; i++) {
+        for (int j = h * TRIM_GROUP; j < end_b; j++) {
+            if (pieces_pair(p, i, j)) return true;
         }
     }
+    return false;
 }
 
-void trim_chain_self_meets(const TrimChain *c, TrimPairVisit visit, void *context)
+static inline int children(const TrimChain *c, int level, int i, int *first)
 {
-    runs_meet(c, c->boxes.n_levels - 1, 0, 0, visit, context);
+    *first = i * TRIM_BOXES_FAN;
+    int n = c->boxes.n[level - 1] - *first;
+    return n < TRIM_BOXES_FAN ? n : TRIM_BOXES_FAN;
+}
+
+/* Run i of a at its level and run j of b: the higher of the two is opened, or both. */
+static bool runs_pair(const Pairing *p, int level_a, int i, int level_b, int j)
+{
+    bool is_same = p->a == p->b && level_a == level_b && i == j;
+    if (!is_same && !runs_may_meet(p, level_a, i, level_b, j)) return false;
+    if (level_a == 0 && level_b == 0) return groups_pair(p, i, j);
+    int first_a = i, n_a = 1, first_b = j, n_b = 1, below_a = level_a, below_b = level_b;
+    if (level_a >= level_b) n_a = children(p->a, level_a, i, &first_a), below_a--;
+    if (level_b >= level_a) n_b = children(p->b, level_b, j, &first_b), below_b--;
+    for (int s = first_a; s < first_a + n_a; s++) {
+        for (int t = first_b; t < first_b + n_b; t++) {
+            if (p->a == p->b && s > t) continue;
+            if (runs_pair(p, below_a, s, below_b, t)) return true;
+        }
+    }
+    return false;
+}
+
+bool trim_chains_meet(const TrimChain *a, const TrimChain *b, TrimPairVisit visit, void *context)
+{
+    Pairing p = { a, b, visit, context };
+    return runs_pair(&p, a->boxes.n_levels - 1, 0, b->boxes.n_levels - 1, 0);
 }

@@ -63,9 +63,10 @@ TrimRect trim_chain_box(const TrimChain *c);
  * for points that are in the boxes and strips of many pieces. */
 int trim_chain_winding(const TrimChain *c, Vec2 p);
 
-/* Calls visit for all pairs of pieces i < j of the chain that meet, cross or touch, but are not neighbours. */
-typedef void (*TrimPairVisit)(void *context, int i, int j);
-void trim_chain_self_meets(const TrimChain *c, TrimPairVisit visit, void *context);
+/* Calls visit for pairs of pieces (i of a, j of b) that meet, cross or touch, until it returns true; returns whether it did.
+ * visit NULL: is there any such pair? With a == b: each pair i < j once, neighbours left out. */
+typedef bool (*TrimPairVisit)(void *context, int i, int j);
+bool trim_chains_meet(const TrimChain *a, const TrimChain *b, TrimPairVisit visit, void *context);
 
 /* The first piece i >= from whose box meets r, less those that are known not to meet it themselves; -1: none. */
 int trim_chain_next(const TrimChain *c, TrimRect r, int from);

@@ -35,6 +35,26 @@ static double distance_to_piece(const TrimChain *c, int piece, Vec2 p)
     return vec2_length(vec2_sub(p, trim_piece_nearest(c->p[piece], c->p[piece + 1], p)));
 }
 
+/* Where a-b and c-d meet; for parallel ones an end. */
+static Vec2 meeting_point(Vec2 a, Vec2 b, Vec2 c, Vec2 d)
+{
+    Vec2 ab = vec2_sub(b, a), cd = vec2_sub(d, c);
+    double det = vec2_cross(ab, cd), s = vec2_cross(vec2_sub(c, a), cd) / det;
+    return s >= 0 && s <= 1 ? vec2_add(a, vec2_scale(ab, s)) : trim_piece_nearest(a, b, c);
+}
+
+/* A place where the straight piece p-q meets b, if it does. */
+static bool meets_chain(Vec2 p, Vec2 q, const TrimChain *b, Vec2 *at)
+{
+    TrimRect box = trim_rect_of(p, q);
+    for (int j = trim_chain_next(b, box, 0); j >= 0; j = trim_chain_next(b, box, j + 1)) {
+        if (!trim_pieces_meet(p, q, b->p[j], b->p[j + 1])) continue;
+        *at = meeting_point(p, q, b->p[j], b->p[j + 1]);
+        return true;
+    }
+    return false;
+}
+
 /* The part p-q of a piece. */
 static void bisect(Excursions *e, Vec2 p, Vec2 q, int piece)
 {
@@ -47,10 +67,11 @@ static void bisect(Excursions *e, Vec2 p, Vec2 q, int piece)
     }
     most = fmin(most, TRIM_DEPTH_CAP);
     if (most <= TRIM_EPSILON || (e->far[INSIDE] >= most && e->far[OUTSIDE] >= most)) return;
+    Vec2 at;
     int side = side_of(e->b, middle);
     note(e, side, near.distance, middle, piece);
     if (half <= TRIM_EPSILON) return;
-    if (e->far[side] >= most && !trim_chain_meets(e->b, trim_rect_of(p, q))) return;
+    if (e->far[side] >= most && !meets_chain(p, q, e->b, &at)) return;
     bisect(e, p, middle, piece);
     bisect(e, middle, q, piece);
 }
@@ -85,27 +106,6 @@ static Excursions excursions(const TrimChain *a, const TrimChain *b)
     return e;
 }
 
-/* Where a-b and c-d meet; for parallel ones an end. */
-static Vec2 meeting_point(Vec2 a, Vec2 b, Vec2 c, Vec2 d)
-{
-    Vec2 ab = vec2_sub(b, a), cd = vec2_sub(d, c);
-    double det = vec2_cross(ab, cd), s = vec2_cross(vec2_sub(c, a), cd) / det;
-    return s >= 0 && s <= 1 ? vec2_add(a, vec2_scale(ab, s)) : trim_piece_nearest(a, b, c);
-}
-
-/* A place where piece i of a meets b. */
-static bool meets_chain(const TrimChain *a, int i, const TrimChain *b, Vec2 *at)
-{
-    Vec2 p = a->p[i], q = a->p[i + 1];
-    TrimRect box = trim_rect_of(p, q);
-    for (int j = trim_chain_next(b, box, 0); j >= 0; j = trim_chain_next(b, box, j + 1)) {
-        if (!trim_pieces_meet(p, q, b->p[j], b->p[j + 1])) continue;
-        *at = meeting_point(p, q, b->p[j], b->p[j + 1]);
-        return true;
-    }
-    return false;
-}
-
 /* The lesser excursion, and the crossing through which a went there. */
 static TrimCrossing crossing_of(const Excursions *e)
 {
@@ -113,7 +113,7 @@ static TrimCrossing crossing_of(const Excursions *e)
     TrimCrossing c = { e->far[lesser], e->at[lesser] };
     if (c.depth <= TRIM_EPSILON) return c;
     for (int back = 0, i = e->piece[lesser]; back < e->a->n; back++, i = (i > 0 ? i : e->a->n) - 1) {
-        if (meets_chain(e->a, i, e->b, &c.at)) break;
+        if (meets_chain(e->a->p[i], e->a->p[i + 1], e->b, &c.at)) break;
     }
     return c;
 }
@@ -121,6 +121,9 @@ static TrimCrossing crossing_of(const Excursions *e)
 TrimRelation trim_relation(const TrimChain *a, const TrimChain *b)
 {
     if (!trim_rects_meet(trim_chain_box(a), trim_chain_box(b))) return (TrimRelation){ 0 };
+    if (!trim_chains_meet(a, b, NULL, NULL)) {   /* one point speaks for all */
+        return (TrimRelation){ .is_inside = side_of(b, a->p[0]) == INSIDE };
+    }
     Excursions ab = excursions(a, b);
     TrimRelation r = { ab.far[INSIDE] > ab.far[OUTSIDE], crossing_of(&ab) };
     if (r.crossing.depth > TRIM_EPSILON) {
@@ -144,7 +147,7 @@ static void add_cut(Cuts *cuts, int i, Vec2 p)
 }
 
 /* Both pieces are cut where the one may meet the other: at a crossing point, or at the ends of a common edge. */
-static void cut_pair(void *context, int i, int j)
+static bool cut_pair(void *context, int i, int j)
 {
     Cuts *cuts = context;
     const Vec2 *a = cuts->chain->p + i, *b = cuts->chain->p + j;
@@ -155,6 +158,7 @@ static void cut_pair(void *context, int i, int j)
         Vec2 p = meeting_point(a[0], a[1], b[0], b[1]);
         add_cut(cuts, i, p), add_cut(cuts, j, p);
     }
+    return false;
 }
 
 static int by_value(const void *a, const void *b)
@@ -166,7 +170,7 @@ static int by_value(const void *a, const void *b)
 static Cuts find_cuts(Arena *scratch, const TrimChain *c)
 {
     Cuts cuts = { .arena = scratch, .chain = c };
-    trim_chain_self_meets(c, cut_pair, &cuts);
+    (void)trim_chains_meet(c, c, cut_pair, &cuts);
     if (cuts.n > 0) qsort(cuts.at, cuts.n, sizeof *cuts.at, by_value);
     return cuts;
 }

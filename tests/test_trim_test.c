@@ -16,7 +16,7 @@ static void the_side_of_a_line_is_exact(void **state)
     (void)state;
     const double one = 0x1p53;
     int on_line = 0;
-    for (unsigned seed = 0; seed < 200000; seed++) {
+    for (unsigned seed = 0; seed < 100000; seed++) {
         TestRandom r = test_random(seed);
         Vec2 a = vec2(test_unit(&r), test_unit(&r)), b = vec2(test_unit(&r), test_unit(&r));
         double s = test_int(&r, 0, 4) / 4., tiny = 0x1p-53;
@@ -34,19 +34,18 @@ static void the_side_of_a_line_is_exact(void **state)
 static void pieces_meet_where_the_lattice_says_so(void **state)
 {
     (void)state;
-    for (unsigned seed = 0; seed < 100000; seed++) {          /* on a lattice of 5 x 5 touches and overlaps are common */
+    for (unsigned seed = 0; seed < 20000; seed++) {           /* on a lattice of 5 x 5 touches and overlaps are common */
         TestRandom r = test_random(seed);
         Vec2 p[4];
         for (int i = 0; i < 4; i++) p[i] = vec2(test_int(&r, 0, 4) / 4., test_int(&r, 0, 4) / 4.);
         if ((p[0].x == p[1].x && p[0].y == p[1].y) || (p[2].x == p[3].x && p[2].y == p[3].y)) continue;
-        double d = INFINITY;                                  /* they meet if the distance of the two is 0: sampled at */
-        for (int i = 0; i <= 5040; i += 7) {                  /* all fractions whose denominators occur */
-            Vec2 q = vec2_add(vec2_scale(p[0], 1 - i / 5040.), vec2_scale(p[1], i / 5040.));
+        double d = INFINITY;                                  /* sampled; pieces that do not meet are .04 apart */
+        for (int i = 0; i <= 240; i++) {
+            Vec2 q = vec2_add(vec2_scale(p[0], 1 - i / 240.), vec2_scale(p[1], i / 240.));
             d = fmin(d, vec2_length(vec2_sub(q, trim_piece_nearest(p[2], p[3], q))));
-            if (seed % 50 != 0) i += 13;
         }
         bool meet = trim_pieces_meet(p[0], p[1], p[2], p[3]);
-        CHECK(meet ? d < 5e-3 : d > 1e-3, "seed %u: distance %g", seed, d);
+        CHECK(meet ? d < .01 : d > .01, "seed %u: distance %g", seed, d);
     }
 }
 
@@ -72,7 +71,7 @@ static int winding_by_angles(const Vec2 *p, int n, Vec2 q)
 static void the_winding_number_is_the_sum_of_the_angles(void **state)
 {
     (void)state;
-    for (unsigned seed = 0; seed < 300; seed++) {
+    for (unsigned seed = 0; seed < 100; seed++) {
         Arena *a = arena_new();
         TestRandom r = test_random(seed);
         int n = test_int(&r, 3, 300);
@@ -91,7 +90,7 @@ static void the_winding_number_is_the_sum_of_the_angles(void **state)
 static void the_nearest_piece_is_that_of_a_search_through_all(void **state)
 {
     (void)state;
-    for (unsigned seed = 0; seed < 200; seed++) {
+    for (unsigned seed = 0; seed < 60; seed++) {
         Arena *a = arena_new();
         TestRandom r = test_random(seed);
         int n = test_int(&r, 3, 200);
@@ -447,7 +446,7 @@ static void a_loop_of_a_million_pieces_is_tested_as_any_other(void **state)
     Made m = make_of(a, &loop, 1);
     CHECK(m.tree && trim_piece_count(m.tree) == n, "code %d", m.error.code);
     TestRandom r = test_random(1);
-    for (int i = 0; i < 200000; i++) {
+    for (int i = 0; i < 50000; i++) {
         int k = test_int(&r, 0, n - 2);
         double s = test_range(&r, .2, .53), angle = (k + test_unit(&r)) * step;
         Vec2 q = vec2(.5 + s * cos(angle), .5 + s * sin(angle));

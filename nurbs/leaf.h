@@ -14,6 +14,7 @@ typedef struct {
     const Piece *piece_u, *piece_v;   /* the smooth stretches that it lies in */
     double size;                      /* diagonal of the box of its control points */
     double bend;                      /* in its spans, a step of s leaves ends within bend s^2 of where S_u and S_v say */
+    double bulge;                     /* on the leaf, S is within this of its tangent parallelogram at the middle */
     SurfacePoint middle;              /* of the interval: the guess that every ray starts from */
     int mu_u, mu_v;                   /* its spans */
     bool needs_trim_test;             /* false: wholly kept */

@@ -26,6 +26,7 @@
 /* |det J| <= SINGULAR |S_u| |S_v|: the sine of the ray's angle to the surface, times that between S_u and S_v. The rounding of
  * det J is some 2^-50 |S_u| |S_v|; a step computed with this J has 10 bits at least. */
 #define SINGULAR 0x1p-40
+#define MARGIN 1.125
 #define JITTER 0.1           /* the paper's */
 
 NewtonRay newton_ray(const Ray *r)
@@ -162,6 +163,19 @@ static void set_root(const Iteration *i, bool with_step, NewtonRoot *out)
         error = touching;
     }
     out->t = depth / i->ray->length, out->t_error = error / i->ray->length;
+}
+
+bool newton_may_reach(const Leaf *leaf, const NewtonRay *ray)
+{
+    Vec3 from_origin = vec_sub(leaf->middle.point, ray->origin);
+    Vec3 half_u = vec_scale(leaf->middle.s_u, (leaf->u1 - leaf->u0) / 2);
+    Vec3 half_v = vec_scale(leaf->middle.s_v, (leaf->v1 - leaf->v0) / 2);
+    Vec2 F = vec2(vec_dot(ray->N1, from_origin), vec_dot(ray->N2, from_origin));
+    Vec2 F_u = vec2(vec_dot(ray->N1, half_u), vec_dot(ray->N2, half_u));
+    Vec2 F_v = vec2(vec_dot(ray->N1, half_v), vec_dot(ray->N2, half_v));
+    double off = leaf->bulge, area = fabs(vec2_cross(F_u, F_v));
+    double to_u = fabs(vec2_cross(F, F_u)), to_v = fabs(vec2_cross(F, F_v));
+    return to_u <= area * MARGIN + off * vec2_length(F_u) && to_v <= area * MARGIN + off * vec2_length(F_v);
 }
 
 NewtonOutcome newton_solve(const Surface *s, const Leaf *leaf, const NewtonRay *ray, int max_iterations, uint64_t seed,

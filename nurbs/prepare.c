@@ -73,6 +73,7 @@ static void add_leaf(Preparation *p, Slot u, Slot v, const Vec4 *cell)
     leaf.size = box_diagonal(box);
     double part = fmax(share_of_span(s->tau_u, p->cuts_u.at, u), share_of_span(s->tau_v, p->cuts_v.at, v));
     leaf.bend = p->bend * part * part;
+    leaf.bulge = bezier_bend(s->k_u, s->k_v, cell) / 4 + p->slack;    /* half a leaf in each direction from the middle */
     refine_evaluate(s, u.mu, leaf.u0 + (leaf.u1 - leaf.u0) / 2, v.mu, leaf.v0 + (leaf.v1 - leaf.v0) / 2, &leaf.middle);
     ARENA_PUSH(p->scratch, p->leaves, p->n_leaves, p->leaves_capacity) = leaf;
     ARENA_PUSH(p->scratch, p->boxes, p->n_boxes, p->boxes_capacity) = box_expand(box, p->slack);

@@ -28,6 +28,7 @@ typedef struct {
     double *a, *b, *c, *w;
     double s0, s1, t0, t1;
     bool is_certified;       /* at most one root in it */
+    bool is_in_surface;      /* the ray runs in the surface about here */
 } Net;
 
 typedef struct {
@@ -65,6 +66,7 @@ static Net net_copy(const Clip *k, const Net *from)
     Net to = net_new(k);
     memcpy(to.a, from->a, 4 * (size_t)k->n * sizeof(double));
     to.s0 = from->s0, to.s1 = from->s1, to.t0 = from->t0, to.t1 = from->t1, to.is_certified = from->is_certified;
+    to.is_in_surface = from->is_in_surface;
     return to;
 }
 
@@ -129,10 +131,12 @@ static bool report(const Clip *k, const Net *n, bool is_tangent)
 }
 
 /* Is a box on the ray to be cut further, to find where the ray enters the surface? */
-static bool runs_in_surface(const Clip *k, Range depth)
+static bool runs_in_surface(const Clip *k, Net *n, Range depth)
 {
     double length = depth.hi - depth.lo;
-    return *k->declined < MAX_DECLINED ? length > IN_THE_SURFACE * k->p->radius : length > k->p->radius / 16;
+    if (*k->declined >= MAX_DECLINED) return length > k->p->radius / 16;
+    n->is_in_surface = n->is_in_surface || length > IN_THE_SURFACE * k->p->radius;
+    return n->is_in_surface && length > 4 * k->rounding;
 }
 
 /* Where the convex hull of the points (i / (k-1), lo_i) and (i / (k-1), hi_i) meets zero, as an interval of [0, 1]; empty: lo >
@@ -260,7 +264,7 @@ static bool settle_in_scratch(const Clip *k, Net *n)
         bool is_point = n->s1 - n->s0 <= MIN_WIDTH && n->t1 - n->t0 <= MIN_WIDTH;
         double size = double_max(double_max(a.hi, -a.lo), double_max(b.hi, -b.lo));
         if (is_point) return report(k, n, !n->is_certified);
-        if (size <= ON_THE_RAY * error) return runs_in_surface(k, depth) ? halve(k, n) : report(k, n, !n->is_certified);
+        if (size <= ON_THE_RAY * error) return runs_in_surface(k, n, depth) ? halve(k, n) : report(k, n, !n->is_certified);
 
         Clipped c = clip_preconditioned(k, n, error);
         if (c.is_empty) return false;
@@ -290,7 +294,7 @@ bool clip_roots(const Patch *p, PatchRay *ray, RootVisit visit, void *context, T
     double q1 = vec_dot(ray->n1, o), q2 = vec_dot(ray->n2, o), q3 = vec_dot(ray->d, o);
     ArenaMark mark = arena_mark(trace->scratch);
     Net n = net_new(&k);
-    n.s0 = n.t0 = 0, n.s1 = n.t1 = 1, n.is_certified = false;
+    n.s0 = n.t0 = 0, n.s1 = n.t1 = 1, n.is_certified = n.is_in_surface = false;
     for (int i = 0; i < k.n; i++) {
         Vec4 h = p->p[i];
         Vec3 x = vec(h.x, h.y, h.z);

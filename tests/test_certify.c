@@ -1,0 +1,227 @@
+/* `method certain` within one patch: bounds that bound, roots that are all found. The truth is a dense sample of the patch for
+ * the bounds, the plain clipping for the frame's shortcut, and rays made from points of the patch for the roots. */
+#include "test.h"
+
+#include "nurbs/certify.h"
+#include "nurbs/clip.h"
+#include "nurbs/nurbs.h"
+
+typedef struct { Arena *arena; Trace trace; } Fixture;
+
+static int set_up(void **state)
+{
+    static Fixture f;
+    f = (Fixture){ .arena = arena_new(), .trace.scratch = arena_new() };
+    *state = &f;
+    return 0;
+}
+
+static int tear_down(void **state)
+{
+    Fixture *f = *state;
+    arena_free(f->arena);
+    arena_free(f->trace.scratch);
+    return 0;
+}
+
+/* A height field over the unit square, orders 2 to 6, weights within a factor `ratio` of each other, anywhere in space. */
+static Patch random_patch(Fixture *f, TestRandom *r, double bump, double ratio)
+{
+    int k_u = test_int(r, 2, 6), k_v = test_int(r, 2, 6);
+    Vec4 p[36];
+    Vec3 shift = vec(test_range(r, -5, 5), test_range(r, -5, 5), test_range(r, -5, 5));
+    for (int j = 0; j < k_v; j++)
+        for (int i = 0; i < k_u; i++) {
+            double w = pow(ratio, test_unit(r));
+            p[j * k_u + i] = vec4_weighted(vec4(shift.x + i / (k_u - 1.0), shift.y + j / (k_v - 1.0),
+                                                shift.z + test_range(r, -bump, bump), w));
+        }
+    Patch out;
+    patch_make(f->arena, k_u, k_v, p, 0, 1, 0, 1, &out);
+    return out;
+}
+
+static Vec3 point_of(const Patch *p, double s, double t)   /* about the patch's origin */
+{
+    Vec4 value, by_s, by_t;
+    patch_evaluate(p, s, t, &value, &by_s, &by_t);
+    return vec4_project(value);
+}
+
+static Vec3 random_direction(TestRandom *r)
+{
+    for (;;) {
+        Vec3 d = vec(test_range(r, -1, 1), test_range(r, -1, 1), test_range(r, -1, 1));
+        if (vec_length2(d) > 0.01 && vec_length2(d) < 1) return vec_normalize(d);
+    }
+}
+
+typedef struct { int n; double s[64], t[64], depth[64], error[64]; } Found;
+
+static bool collect(void *context, const Patch *p, PatchRay *ray, const Root *root)
+{
+    Found *f = context;
+    (void)p, (void)ray;
+    assert_true(f->n < 64);
+    f->s[f->n] = root->s, f->t[f->n] = root->t, f->depth[f->n] = root->depth, f->error[f->n++] = root->depth_error;
+    return false;
+}
+
+static bool keep_nearest(void *context, const Patch *p, PatchRay *ray, const Root *root)
+{
+    double *nearest = context;
+    (void)p;
+    *nearest = ray->t_max = root->depth;
+    return false;
+}
+
+static bool has_depth(const Found *f, double depth, double slack)
+{
+    for (int i = 0; i < f->n; i++)
+        if (fabs(f->depth[i] - depth) <= f->error[i] + slack) return true;
+    return false;
+}
+
+static void bernstein_polynomials_sum_to_one_and_their_derivatives_to_zero(void **state)
+{
+    (void)state;
+    TestRandom r = test_random(1);
+    for (int k = 2; k <= NURBS_MAX_ORDER; k++) {
+        double x = test_unit(&r), b[NURBS_MAX_ORDER], d[NURBS_MAX_ORDER], sum = 0, slope = 0, mean = 0;
+        bernstein(k, x, b, d);
+        for (int i = 0; i < k; i++) sum += b[i], slope += d[i], mean += b[i] * i / (k - 1.0);
+        CHECK_WITHIN(fabs(sum - 1), 1e-14, "order %d", k);
+        CHECK_WITHIN(fabs(slope), 1e-12 * k, "order %d", k);
+        CHECK_WITHIN(fabs(mean - x), 1e-14, "order %d", k);   /* linear precision */
+    }
+}
+
+static void the_radius_and_the_deviation_bound_the_patch(void **state)
+{
+    Fixture *f = *state;
+    for (unsigned seed = 0; seed < 300; seed++) {
+        TestRandom r = test_random(seed);
+        Patch p = random_patch(f, &r, 0.5, seed % 2 ? 1 : 20);
+        for (int n = 0; n < 200; n++) {
+            double s = test_unit(&r), t = test_unit(&r);
+            Vec3 at = point_of(&p, s, t);
+            Vec3 flat = vec_add(vec_scale(p.e_u, (2 * s - 1) * p.half_u), vec_scale(p.e_v, (2 * t - 1) * p.half_v));
+            CHECK_WITHIN(vec_length(at), p.radius, "seed %u", seed);
+            CHECK_WITHIN(vec_length(vec_sub(at, flat)), p.deviation + 1e-14, "seed %u", seed);
+        }
+    }
+}
+
+/* The columns of the Jacobian of w N.(S - x) for points x within the radius, in the margin too. */
+static void the_variation_bounds_the_derivatives(void **state)
+{
+    Fixture *f = *state;
+    const double m = PATCH_MARGIN;
+    for (unsigned seed = 0; seed < 300; seed++) {
+        TestRandom r = test_random(seed);
+        Patch p = random_patch(f, &r, 0.2, seed % 2 ? 1 : 3);
+        if (!isfinite(p.variation)) continue;
+        Vec4 value, s0, t0, s1, t1;
+        patch_evaluate(&p, 0.5, 0.5, &value, &s0, &t0);
+        Vec3 middle_s = vec(s0.x, s0.y, s0.z), middle_t = vec(t0.x, t0.y, t0.z);
+        for (int n = 0; n < 200; n++) {
+            patch_evaluate(&p, test_range(&r, -m, 1 + m), test_range(&r, -m, 1 + m), &value, &s1, &t1);
+            Vec3 x = vec_scale(random_direction(&r), p.radius * test_unit(&r));
+            Vec3 column_s = vec_sub(vec(s1.x, s1.y, s1.z), vec_scale(x, s1.w));
+            Vec3 column_t = vec_sub(vec(t1.x, t1.y, t1.z), vec_scale(x, t1.w));
+            double e_s = vec_length(vec_sub(column_s, middle_s)) / vec_length(middle_s);
+            double e_t = vec_length(vec_sub(column_t, middle_t)) / vec_length(middle_t);
+            CHECK_WITHIN(hypot(e_s, e_t), p.variation + 1e-12, "seed %u", seed);
+        }
+    }
+}
+
+/* A ray through a point of the patch meets it there, whatever its direction. */
+static void a_ray_through_a_point_of_the_patch_finds_it(void **state)
+{
+    Fixture *f = *state;
+    for (unsigned seed = 0; seed < 3000; seed++) {
+        TestRandom r = test_random(seed);
+        Patch p = random_patch(f, &r, seed % 3 ? 0.05 : 0.7, seed % 2 ? 1 : 10);
+        double s = test_unit(&r), t = test_unit(&r), distance = test_range(&r, 0.5, 4);
+        if (seed % 5 == 0) s = (double)test_int(&r, 0, 1);   /* on a border */
+        Vec3 d = random_direction(&r), at = vec_add(p.origin, point_of(&p, s, t));
+        PatchRay ray = patch_ray(vec_sub(at, vec_scale(d, distance)), d, 0, INFINITY);
+        Found found = { 0 };
+        patch_roots(&p, &ray, collect, &found, &f->trace);
+        CHECK(has_depth(&found, distance, 1e-14 * (distance + 10)), "seed %u: %d roots", seed, found.n);
+    }
+}
+
+/* The frame's shortcut and plain clipping find the same roots. */
+static void the_frame_loses_and_invents_nothing(void **state)
+{
+    Fixture *f = *state;
+    int n_roots = 0;
+    for (unsigned seed = 0; seed < 20000; seed++) {
+        TestRandom r = test_random(seed);
+        Patch p = random_patch(f, &r, test_range(&r, 0, 0.3), seed % 2 ? 1 : 4);
+        Vec3 aim = vec_add(p.origin, vec_scale(random_direction(&r), p.radius * test_unit(&r))), d = random_direction(&r);
+        PatchRay ray = patch_ray(vec_sub(aim, vec_scale(d, 3)), d, 0, INFINITY);
+        Found by_frame = { 0 }, by_clipping = { 0 };
+        patch_roots(&p, &ray, collect, &by_frame, &f->trace);
+        clip_roots(&p, &ray, collect, &by_clipping, &f->trace);
+        for (int i = 0; i < by_frame.n; i++)
+            CHECK(has_depth(&by_clipping, by_frame.depth[i], by_frame.error[i]), "seed %u", seed);
+        for (int i = 0; i < by_clipping.n; i++)
+            CHECK(has_depth(&by_frame, by_clipping.depth[i], by_clipping.error[i]), "seed %u", seed);
+        n_roots += by_frame.n;
+    }
+    assert_true(n_roots > 5000);
+    assert_true(f->trace.counters.certificates > 0);
+}
+
+/* z = x^2 over [-1, 1]^2, and rays along y... along x at height h: two roots for h > 0, a tangent one at 0, none below. */
+static void a_tangent_ray_hits_and_one_beside_it_does_not(void **state)
+{
+    Fixture *f = *state;
+    Vec4 p[6];
+    for (int j = 0; j < 2; j++) {
+        p[3 * j] = vec4(-1, 2 * j - 1, 1, 1), p[3 * j + 1] = vec4(0, 2 * j - 1, -1, 1), p[3 * j + 2] = vec4(1, 2 * j - 1, 1, 1);
+    }
+    Patch patch;
+    patch_make(f->arena, 3, 2, p, -1, 1, -1, 1, &patch);
+    const double heights[] = { 0.25, 1e-4, 1e-8, 1e-12, 0, -1e-13, -1e-8, -0.1 };
+    for (int i = 0; i < 8; i++) {
+        PatchRay ray = patch_ray(vec(-3, 0.3, heights[i]), vec(1, 0, 0), 0, INFINITY);
+        Found found = { 0 };
+        patch_roots(&patch, &ray, collect, &found, &f->trace);
+        if (heights[i] < 0) assert_int_equal(found.n, 0);
+        else {
+            CHECK(has_depth(&found, 3 - sqrt(heights[i]), 1e-15), "height %g", heights[i]);
+            CHECK(has_depth(&found, 3 + sqrt(heights[i]), 1e-15), "height %g", heights[i]);
+        }
+    }
+}
+
+/* A flat patch seen edge on: the ray runs in it, and the hit is where it enters. */
+static void a_ray_in_the_surface_hits_where_it_enters(void **state)
+{
+    Fixture *f = *state;
+    Vec4 p[4] = { { 0, 0, 0, 1 }, { 1, 0, 0, 1 }, { 0, 1, 0, 1 }, { 1, 1, 0, 1 } };
+    Patch patch;
+    patch_make(f->arena, 2, 2, p, 0, 1, 0, 1, &patch);
+    PatchRay ray = patch_ray(vec(-2, 0.5, 0), vec(1, 0, 0), 0, INFINITY);
+    double nearest = INFINITY;
+    patch_roots(&patch, &ray, keep_nearest, &nearest, &f->trace);
+    CHECK_WITHIN(fabs(nearest - 2), 1e-13, "enters at %.17g", nearest);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(bernstein_polynomials_sum_to_one_and_their_derivatives_to_zero),
+        cmocka_unit_test_setup_teardown(the_radius_and_the_deviation_bound_the_patch, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(the_variation_bounds_the_derivatives, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(a_ray_through_a_point_of_the_patch_finds_it, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(the_frame_loses_and_invents_nothing, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(a_tangent_ray_hits_and_one_beside_it_does_not, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(a_ray_in_the_surface_hits_where_it_enters, set_up, tear_down),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -109,9 +109,11 @@ static Token next_branch(Parser *p, bool (*wanted)(const Token *word, int depth)
 
 static double read_condition(Parser *p)
 {
+    Guard before = input_guard(p);
     Place opened = expect_punct(p, '(');
     double value = parse_condition(p);
     expect_close(p, ')', "the condition", opened);
+    input_unguard(p, before);
     return value;
 }
 
@@ -141,9 +143,11 @@ void block_if(Parser *p, Place where)
 /* (NAME) or (NAME[i]): has it a value? */
 static bool read_is_defined(Parser *p)
 {
+    Guard before = input_guard(p);
     Place opened = expect_punct(p, '(');
     bool is_defined = parse_is_defined(p);
     expect_close(p, ')', "the name", opened);
+    input_unguard(p, before);
     return is_defined;
 }
 
@@ -174,6 +178,7 @@ static bool is_case(const Token *t, int depth)
 
 static bool read_case(Parser *p, bool is_range, double value)
 {
+    Guard before = input_guard(p);
     Place opened = expect_punct(p, '(');
     double low = parse_condition(p), high = low;
     if (is_range) {
@@ -181,6 +186,7 @@ static bool read_case(Parser *p, bool is_range, double value)
         high = parse_condition(p);
     }
     expect_close(p, ')', "the case", opened);
+    input_unguard(p, before);
     return value >= low - EQUAL_WITHIN && value <= high + EQUAL_WITHIN;
 }
 
@@ -228,6 +234,7 @@ static bool for_goes_on(double value, double end, double step)
 void block_for(Parser *p, Place where)
 {
     Block b = { .kind = BLOCK_FOR, .place = where, .step = 1 };
+    Guard before = input_guard(p);
     Place opened = expect_punct(p, '(');
     b.variable = declarable_name(p, "of the loop's variable");
     expect_punct(p, ',');
@@ -238,6 +245,7 @@ void block_for(Parser *p, Place where)
     if (accept_punct(p, ',')) b.step = parse_float(p);
     if (b.step == 0) parse_fail(p, step, "the step of #for is 0");
     expect_close(p, ')', "#for", opened);
+    input_unguard(p, before);
     symbols_local(&p->symbols, b.variable, (Value){ .kind = VALUE_FLOAT, .number = first });
     b.again = top_frame(p)->cursor;
     *push_block(p, BLOCK_FOR, where) = b;

@@ -48,9 +48,9 @@ typedef struct {
 } Block;
 
 /* While the value of a #declare is read, what follows it must not be carried out before the name has its value. Within the
- * frame of the directive, outside all braces of the value, definitions end it; after a '}' so does every directive and
- * macro call, and the end of the frame always does. */
-typedef struct { bool is_on; int n_frames, braces; } Guard;
+ * frame of the directive, outside all braces of the value, definitions end it, and what belongs to a block round it; after
+ * a '}' so does every directive and macro call, and the end of the frame always does. The same holds for conditions. */
+typedef struct { bool is_on; int n_frames, braces; size_t n_blocks; } Guard;
 
 /* What parse_fail jumps to. */
 typedef struct Handler {
@@ -89,11 +89,14 @@ struct Parser {
 
     Lookahead ahead;
     char last_punct;                   /* the token that was taken last, if it was punctuation; else '\0' */
-    bool last_was_trimmed;             /* it was the word trimmed_nurbs: '<' opens a block */
+    Place last_place;                  /* of that token */
+    const char *trimmed_nurbs;         /* the word, interned */
+    bool last_was_trimmed;             /* that word was taken last: '<' opens a block */
     Guard guard;
     int braces, nesting;
     int angle_braces;                  /* in a trimmed_nurbs < >: braces where it was opened; else -1 */
     Mark mark;
+    int n_stray_braces;                /* how many '}' may be left of a statement that was given up */
     bool is_between_statements;
 
     Handler *handler;

@@ -9,14 +9,14 @@
 Word *declarable_name(Parser *p, const char *what)
 {
     Token t = input_raw(p);
-    if (t.kind != TOKEN_WORD) parse_fail(p, t.place, "expected a name %s, found %s", what, token_name(p, &t));
+    if (t.kind != TOKEN_WORD) parse_fail(p, t.place, "expected the name %s, found %s", what, token_name(p, &t));
     Word *w = word_of(t.text);
     if (w->class > WORD_CONTEXTUAL || w->builtin)
         parse_fail(p, t.place, "'%s' is a word of the language: it cannot be the name %s", t.text, what);
     return w;
 }
 
-typedef struct { Value value; bool is_texture; ValueKind kind; } Reading;
+typedef struct { Value value; ValueKind kind; } Reading;
 
 /* What the value would be if all in it were supported, by its first word; VALUE_NONE: not known. */
 static ValueKind promised_kind(const Token *t)
@@ -43,12 +43,12 @@ static void read_value(Parser *p, void *context)
 /* A value that uses something unsupported is remembered as such, and an error only where it is used. */
 static Value value_or_unsupported(Parser *p)
 {
-    Reading *r = ARENA_NEW(p->arena, Reading);            /* not on the stack: it is written to between setjmp and longjmp */
+    Reading r = { .kind = VALUE_NONE };
     int braces = p->braces;
-    if (parse_guarded(p, true, read_value, r)) return r->value;
+    if (parse_guarded(p, true, read_value, &r)) return r.value;
     Value v = p->unsupported;
-    if (v.n == VALUE_NONE) v.n = (int)r->kind;
-    recover_from_unsupported(p, braces, r->kind == VALUE_TEXTURE);
+    if (v.n == VALUE_NONE) v.n = (int)r.kind;
+    recover_from_unsupported(p, braces, r.kind == VALUE_TEXTURE);
     return v;
 }
 
@@ -57,14 +57,27 @@ static bool needs_semicolon(const Value *v)
     return v->kind == VALUE_FLOAT || v->kind == VALUE_VECTOR || v->kind == VALUE_COLOR;
 }
 
+/* What is missing is missing behind the value, whatever comes next. */
+static _Noreturn void fail_semicolon(Parser *p, const Word *name)
+{
+    Place behind = p->last_place;
+    Token t = *look(p);
+    behind.column += behind.length, behind.length = 1;
+    if (behind.source != t.place.source || behind.line == t.place.line)
+        parse_fail_expected(p, arena_printf(p->arena, "';' after the value of '%s'", name->text));
+    parse_fail(p, behind, "expected ';' after the value of '%s', found %s", name->text, token_name(p, &t));
+}
+
 /* POV-Ray wants ';' after numbers, vectors and colours, and allows it after all others. */
 static void read_semicolon(Parser *p, const Word *name, const Value *v)
 {
     if (needs_semicolon(v)) {
-        if (!accept_punct(p, ';')) parse_fail_expected(p, arena_printf(p->arena, "';' after the value of '%s'", name->text));
+        if (!at_punct(p, ';')) fail_semicolon(p, name);
+        input_take(p);
         return;
     }
-    bool has = p->ahead.is_full ? at_punct(p, ';') : input_next_char(p) == ';';
+    bool is_from_macro = p->n_frames > p->guard.n_frames;      /* whose end is passed before the ';' is seen */
+    bool has = p->ahead.is_full || is_from_macro ? at_punct(p, ';') : input_next_char(p) == ';';
     if (has) (void)accept_punct(p, ';');
 }
 
@@ -82,8 +95,22 @@ static void declare_element(Parser *p, const Word *name, Place where)
     *slot = value;
 }
 
+/* `deprecated [once] "why"` before a name: a note for those who use it, passed over. */
+static void skip_deprecation(Parser *p)
+{
+    Cursor before = top_frame(p)->cursor;
+    Token t = input_raw(p);
+    if (t.kind != TOKEN_WORD || strcmp(t.text, "deprecated") != 0) {
+        top_frame(p)->cursor = before;
+        return;
+    }
+    if (input_next_char(p) == 'o') (void)input_raw(p);
+    if (input_next_char(p) == '"') (void)input_raw(p);
+}
+
 static void run_declaration(Parser *p, Place where, void (*bind)(Symbols *s, Word *w, Value v))
 {
+    skip_deprecation(p);
     Word *name = declarable_name(p, "of a value");
     if (input_next_char(p) == '[') {
         declare_element(p, name, where);
@@ -103,7 +130,7 @@ static void run_local(Parser *p, Place where) { run_declaration(p, where, symbol
 static void run_undef(Parser *p, Place where)
 {
     (void)where;
-    symbols_remove(&p->symbols, declarable_name(p, "to forget"));
+    symbols_remove(&p->symbols, declarable_name(p, "of a value"));
 }
 
 /* ---- the rest ---- */

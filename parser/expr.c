@@ -15,6 +15,12 @@ const char *term_name(const Term *t)
     return t->n == 0 ? "a string" : t->is_color ? "a colour" : t->n == 1 ? "a float" : "a vector";
 }
 
+/* "a float", "a vector of 2 components" */
+static const char *term_size(Parser *p, const Term *t)
+{
+    return t->n < 2 || t->is_color ? term_name(t) : arena_printf(p->arena, "a vector of %d components", t->n);
+}
+
 Term need_numbers(Parser *p, Place where, Term t)
 {
     if (t.n == 0) parse_fail(p, where, "expected a number or a vector, found a string");
@@ -132,8 +138,7 @@ static Term parse_component(Parser *p, Term t)
     int i = component_of(&name);
     if (i == -2) parse_fail_expected(p, "the name of a component after '.'");
     int needed = i == -1 ? 3 : i + 1;
-    if (t.n < 2) parse_fail(p, name.place, "'.%s' of %s: only vectors and colours have components", name.text, term_name(&t));
-    if (t.n < needed) parse_fail(p, name.place, "'.%s' of a vector of %d components", name.text, t.n);
+    if (t.n < needed) parse_fail(p, name.place, "there is no component '%s' in %s", name.text, term_size(p, &t));
     input_take(p);
     if (i >= 0) return term_float(t.v[i]);
     return term_float(rgb_grey(rgb(t.v[0], t.v[1], t.v[2])));
@@ -166,8 +171,8 @@ static double op_mul(double a, double b) { return a * b; }
 static double op_div(double a, double b) { return b == 0 ? HUGE_VAL : a / b; }
 static double op_less(double a, double b) { return a < b; }
 static double op_greater(double a, double b) { return a > b; }
-static double op_less_equal(double a, double b) { return a <= b; }
-static double op_greater_equal(double a, double b) { return a >= b; }
+static double op_less_equal(double a, double b) { return a <= b + EQUAL_WITHIN; }
+static double op_greater_equal(double a, double b) { return a >= b - EQUAL_WITHIN; }
 static double op_equal(double a, double b) { return !truth(a - b); }
 static double op_not_equal(double a, double b) { return truth(a - b); }
 static double op_and(double a, double b) { return truth(a) && truth(b); }
@@ -175,22 +180,22 @@ static double op_or(double a, double b) { return truth(a) || truth(b); }
 
 enum { RANK_LOGIC = 1, RANK_RELATION, RANK_SUM, RANK_PRODUCT };
 
-typedef struct { char punct; int rank; double (*apply)(double a, double b); } Operator;
+typedef struct { int rank; double (*apply)(double a, double b); } Operator;
 
-static const Operator operators[] = {
-    { '*', RANK_PRODUCT, op_mul }, { '/', RANK_PRODUCT, op_div }, { '+', RANK_SUM, op_add }, { '-', RANK_SUM, op_sub },
-    { '<', RANK_RELATION, op_less }, { '>', RANK_RELATION, op_greater }, { 'L', RANK_RELATION, op_less_equal },
-    { 'G', RANK_RELATION, op_greater_equal }, { '=', RANK_RELATION, op_equal }, { 'N', RANK_RELATION, op_not_equal },
-    { '&', RANK_LOGIC, op_and }, { '|', RANK_LOGIC, op_or },
+static const Operator operators[128] = {   /* by Token.punct; rank 0: none */
+    ['*'] = { RANK_PRODUCT, op_mul }, ['/'] = { RANK_PRODUCT, op_div },
+    ['+'] = { RANK_SUM, op_add }, ['-'] = { RANK_SUM, op_sub },
+    ['<'] = { RANK_RELATION, op_less }, ['>'] = { RANK_RELATION, op_greater },
+    ['L'] = { RANK_RELATION, op_less_equal }, ['G'] = { RANK_RELATION, op_greater_equal },
+    ['='] = { RANK_RELATION, op_equal }, ['N'] = { RANK_RELATION, op_not_equal },
+    ['&'] = { RANK_LOGIC, op_and }, ['|'] = { RANK_LOGIC, op_or },
 };
 
 static const Operator *find_operator(const Token *t, int min_rank)
 {
     if (t->kind != TOKEN_PUNCT) return NULL;
-    for (size_t i = 0; i < sizeof operators / sizeof *operators; i++) {
-        if (operators[i].punct == t->punct) return operators[i].rank >= min_rank ? &operators[i] : NULL;
-    }
-    return NULL;
+    const Operator *op = &operators[t->punct & 127];
+    return op->rank >= min_rank ? op : NULL;
 }
 
 /* A float becomes as long as its partner, a shorter vector is filled with 0. */
@@ -216,7 +221,7 @@ static Term apply(Parser *p, Place where, const Operator *op, Term a, Term b)
     a.is_color = a.is_color || b.is_color;
     bool divides_by_zero = false;
     for (int i = 0; i < n; i++) {
-        if (op->punct == '/' && b.v[i] == 0) divides_by_zero = true;
+        if (op->apply == op_div && b.v[i] == 0) divides_by_zero = true;
         a.v[i] = op->apply(a.v[i], b.v[i]);
     }
     if (divides_by_zero) parse_warn_once(p, where, "/0", "division by zero");

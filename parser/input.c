@@ -58,7 +58,7 @@ void input_step(Parser *p, Place where)
 Guard input_guard(Parser *p)
 {
     Guard before = p->guard;
-    p->guard = (Guard){ true, p->n_frames, p->braces };
+    p->guard = (Guard){ true, p->n_frames, p->braces, p->n_blocks };
     p->last_punct = '\0';
     return before;
 }
@@ -74,17 +74,24 @@ static bool is_guarded(const Parser *p)
     return p->guard.is_on && p->guard.n_frames == p->n_frames && p->guard.braces == p->braces;
 }
 
-/* Does the directive at the cursor (behind '#') define something, so that it cannot be part of a value? */
-static bool is_definition(Parser *p)
+static bool is_one_of(const char *text, const char *const words[])
 {
-    static const char *const words[] = { "declare", "local", "undef", "macro", "include", "version", "default" };
+    for (; *words; words++) {
+        if (strcmp(text, *words) == 0) return true;
+    }
+    return false;
+}
+
+/* The directive at the cursor (behind '#') cannot be part of a value if it defines something, or belongs to a block that
+ * began before the value. */
+static bool is_outside_of_value(Parser *p)
+{
+    static const char *const definitions[] = { "declare", "local", "undef", "macro", "include", "version", "default", NULL };
+    static const char *const branches[] = { "else", "elseif", "end", "case", "range", "break", NULL };
     Cursor c = top_frame(p)->cursor;
     Token t;
     if (lexer_read(&c, &p->symbols, &t) || t.kind != TOKEN_WORD) return false;
-    for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
-        if (strcmp(t.text, words[i]) == 0) return true;
-    }
-    return false;
+    return is_one_of(t.text, definitions) || (p->n_blocks <= p->guard.n_blocks && is_one_of(t.text, branches));
 }
 
 /* ---- filling ---- */
@@ -142,7 +149,7 @@ static bool ends_guarded_value(Parser *p, const Token *t)
 {
     if (t->kind == TOKEN_END) return true;
     if (!is_to_carry_out(t)) return false;
-    return p->last_punct == '}' || (t->kind == TOKEN_PUNCT && is_definition(p));
+    return p->last_punct == '}' || (t->kind == TOKEN_PUNCT && is_outside_of_value(p));
 }
 
 void input_fill(Parser *p)
@@ -187,11 +194,12 @@ void input_take(Parser *p)
     const Token *t = &p->ahead.token;
     if (p->ahead.is_raw) return;
     p->last_punct = '\0';
+    p->last_place = t->place;
     if (t->kind == TOKEN_PUNCT) {
         count_brackets(p, t);
         p->last_punct = t->punct;
     }
-    p->last_was_trimmed = t->kind == TOKEN_WORD && strcmp(t->text, "trimmed_nurbs") == 0;
+    p->last_was_trimmed = t->text == p->trimmed_nurbs;
     p->ahead.is_full = false;
     p->ahead.element = NULL;
 }

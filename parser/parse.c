@@ -19,6 +19,7 @@ static void read_statement(Parser *p, void *at_end)
     bool is_end = look(p)->kind == TOKEN_END;
     p->is_between_statements = false;
     if (is_end) *(bool *)at_end = true;
+    else if (p->n_stray_braces > 0 && accept_punct(p, '}')) p->n_stray_braces--;
     else parse_statement(p);
 }
 
@@ -89,6 +90,7 @@ bool parse_scene(const char *path, const ParseOptions *options, Arena *a, Diag *
     *summary = (ParseSummary){ .n_objects = 0 };
     symbols_init(&p->symbols, a);
     keywords_mark(&p->symbols);
+    p->trimmed_nurbs = symbols_intern(&p->symbols, "trimmed_nurbs", strlen("trimmed_nurbs"))->text;
     const SourceText *text = open_scene(p, path);
     if (text) read_scene(p, text);
     summary->n_bytes = p->sources.n_bytes, summary->n_files = p->sources.n_files;

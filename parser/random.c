@@ -2,13 +2,11 @@
  * .329979260, .755761670 from seed(42)). */
 #include "parser/random.h"
 
-#include <math.h>
-
 int random_seed(RandomStreams *r, Arena *a, double seed)
 {
-    double whole = fmod(trunc(seed), 0x1p32);               /* the low 32 bits, as a conversion of the integer would keep */
-    uint32_t state = isfinite(whole) ? (uint32_t)(int64_t)whole : 0;
-    ARENA_PUSH(a, r->states, r->n, r->capacity) = state;
+    /* What the conversion to an int gives on x86 for numbers out of its range (measured with seed(1e10)). */
+    bool is_int = seed > -0x1p31 - 1 && seed < 0x1p31;
+    ARENA_PUSH(a, r->states, r->n, r->capacity) = is_int ? (uint32_t)(int32_t)seed : UINT32_C(0x80000000);
     return (int)r->n - 1;
 }
 

@@ -1,6 +1,6 @@
 /* Going on after an error: to the end of the statement that failed, and no further. The text is read again from where the
- * statement began, brackets are counted, directives are passed over unexecuted. If the brackets do not close (one of them
- * was the error), the next word that begins a statement at the margin is taken for one. */
+ * statement began, brackets are counted, directives are passed over unexecuted. Since a missing bracket may be the error,
+ * a word that begins statements is taken for one where it stands at the margin. */
 #include "parser/core.h"
 
 #include <string.h>
@@ -25,15 +25,6 @@ static bool begins_statement(const Token *t)
 {
     if (t->kind == TOKEN_PUNCT && t->punct == '#') return true;
     return is_one_of(t, parse_object_words());
-}
-
-/* Is the token at c the first on its line, and not further right than the statement's first? */
-static bool is_at_margin(const Cursor *c, const Cursor *start)
-{
-    for (const char *q = c->line_start; q < c->at; q++) {
-        if (*q != ' ' && *q != '\t') return false;
-    }
-    return c->at - c->line_start <= start->at - start->line_start;
 }
 
 /* ---- counting brackets ---- */
@@ -130,7 +121,22 @@ static bool is_next(const Search *s, const Brackets *b, const Token *t, const Cu
     return b->parens <= 0 && begins_statement(t);
 }
 
-/* The end by brackets; false: they do not close. */
+static bool is_first_on_line(const Cursor *c)
+{
+    for (const char *q = c->line_start; q < c->at; q++) {
+        if (*q != ' ' && *q != '\t') return false;
+    }
+    return true;
+}
+
+/* Is the token at c the first on its line, as the statement's first is on its own, and not further right? */
+static bool is_at_margin(const Search *s, const Cursor *c)
+{
+    return c->at != s->start.at && is_first_on_line(c) && is_first_on_line(&s->start)
+        && c->at - c->line_start <= s->start.at - s->start.line_start;
+}
+
+/* The end by brackets, or a statement that begins at the margin before they close; false: neither, up to the end. */
 static bool find_end(Parser *p, Search *s)
 {
     Cursor c = s->start;
@@ -139,8 +145,13 @@ static bool find_end(Parser *p, Search *s)
         (void)cursor_skip_blank(&c);
         s->end = c;
         Token t = read_past(p, &c);
-        if (t.kind == TOKEN_END) return is_closed(&b);
-        if (s->end.at >= s->error && is_next(s, &b, &t, &s->end)) return true;
+        bool is_past_error = s->end.at >= s->error;
+        if (t.kind == TOKEN_END) return s->end = c, is_closed(&b);
+        if (is_past_error && is_next(s, &b, &t, &s->end)) return true;
+        if (is_past_error && t.kind == TOKEN_WORD && begins_statement(&t) && is_at_margin(s, &s->end)) {
+            p->n_stray_braces = b.depth > 0 ? b.depth : 0;
+            return true;
+        }
         if (t.kind == TOKEN_PUNCT && t.punct == '#' && !count_directive(p, &b, &c) && s->end.at != s->start.at)
             return is_closed(&b);
         count(&b, &t);
@@ -149,7 +160,7 @@ static bool find_end(Parser *p, Search *s)
     }
 }
 
-/* The next statement at the margin behind the error, else the end of the text. */
+/* The next directive or statement at the margin behind the error, else the end of the text. */
 static void find_margin(Parser *p, Search *s)
 {
     Cursor c = s->start;
@@ -157,8 +168,11 @@ static void find_margin(Parser *p, Search *s)
         (void)cursor_skip_blank(&c);
         s->end = c;
         Token t = read_past(p, &c);
-        bool is_new = s->end.at >= s->error && s->end.at != s->start.at;
-        if (t.kind == TOKEN_END || (is_new && begins_statement(&t) && is_at_margin(&s->end, &s->start))) return;
+        if (t.kind == TOKEN_END) {
+            s->end = c;
+            return;
+        }
+        if (s->end.at >= s->error && begins_statement(&t) && is_at_margin(s, &s->end)) return;
     }
 }
 
@@ -181,6 +195,7 @@ void recover_from_error(Parser *p)
     (void)cursor_skip_blank(&s.start);
     find_form(p, &s);
     if (!find_end(p, &s)) find_margin(p, &s);
+    if (s.end.at <= s.start.at) (void)read_past(p, &s.end);   /* go on, whatever happens */
     f->cursor = s.end;
 }
 

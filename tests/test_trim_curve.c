@@ -229,6 +229,22 @@ static void joints_close_silently_up_to_1e_6_and_are_bridged_up_to_1e_3(void **s
     arena_free(a);
 }
 
+static void a_small_gap_closes_half_way(void **state)
+{
+    (void)state;
+    Arena *a = arena_new();
+    Vec2 start[3] = { { .2, .2 }, { .8 + 8e-7, .2 - 4e-7 }, { .5, .8 } }, end[3] = { { .8, .2 }, { .5, .8 }, { .2, .2 } };
+    TrimLoopDesc loop = sides(a, start, end, 3);
+    TrimInput in = { .loops = &loop, .n_loops = 1, .domain = unit_square };
+    TrimLoop l;
+    NurbsError error;
+    CHECK(trim_loop_read(a, &in, 0, &l, &error) && l.n == 3, "%d points", l.n);
+    double nearest = INFINITY;
+    for (int i = 0; i < 3; i++) nearest = fmin(nearest, between(l.p[i], vec2(.8 + 4e-7, .2 - 2e-7)));
+    CHECK_WITHIN(nearest, 1e-15, "the joint");
+    arena_free(a);
+}
+
 static void a_wider_gap_is_open_and_says_which_curve_and_where(void **state)
 {
     (void)state;
@@ -405,6 +421,7 @@ int main(void)
         cmocka_unit_test(each_fault_of_a_curve_has_its_code),
         cmocka_unit_test(a_trim_of_too_few_points_is_refused),
         cmocka_unit_test(joints_close_silently_up_to_1e_6_and_are_bridged_up_to_1e_3),
+        cmocka_unit_test(a_small_gap_closes_half_way),
         cmocka_unit_test(a_wider_gap_is_open_and_says_which_curve_and_where),
         cmocka_unit_test(a_gap_that_is_small_in_space_is_bridged),
         cmocka_unit_test(a_trim_may_leave_out_the_side_of_a_pole),

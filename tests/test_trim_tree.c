@@ -331,6 +331,17 @@ static void a_cross_is_reported_where_it_is(void **state)
     arena_free(a);
 }
 
+/* Each of the two is looked at from the other: of the square only a little is in the needle, but the needle goes right through. */
+static void a_needle_through_a_square_crosses_it(void **state)
+{
+    (void)state;
+    Arena *a = arena_new();
+    TrimLoopDesc loops[2] = { rectangle(a, .5, .503, .5, .503, true), rectangle(a, .1, .9, .501, .501015, true) };
+    Made m = make_of(a, loops, 2);
+    CHECK(!m.tree && m.error.code == NURBS_TRIMS_CROSS && m.error.index == 0 && m.error.other == 1, "code %d", m.error.code);
+    arena_free(a);
+}
+
 /* A square whose ends overshoot at the corner (.2, .2) and close in a small square of side d, gone round the other way. */
 static Made overshoot(Arena *a, double d, bool is_reversed)
 {
@@ -473,6 +484,7 @@ int main(void)
         cmocka_unit_test(a_loop_may_touch_itself),
         cmocka_unit_test(a_crossing_is_a_warning_up_to_1e_4_and_an_error_beyond),
         cmocka_unit_test(a_cross_is_reported_where_it_is),
+        cmocka_unit_test(a_needle_through_a_square_crosses_it),
         cmocka_unit_test(a_loop_that_crosses_itself_is_judged_by_the_wrong_region),
         cmocka_unit_test(loops_that_cross_themselves_deeply_are_refused),
         cmocka_unit_test(inside_of_a_shallow_crossing_is_decided_by_winding),

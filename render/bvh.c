@@ -4,28 +4,21 @@
  * surface area heuristic over bins ([Wal07]). Both halve at the latest below SAH_MAX_DEPTH, which bounds the depth of
  * every tree, and so the traversal's stack, whatever the boxes are. Ties are broken by index: the tree depends on the
  * boxes alone. */
-#include "render/bvh.h"
+#include "render/bvh_wide.h"
 
 #include <assert.h>
 
 #define N_BINS 16
-#define SAH_LEAF_SIZE 4
 #define SAH_MAX_DEPTH 32                      /* beyond it the boxes are halved: */
 #define MAX_DEPTH (SAH_MAX_DEPTH + 32)        /* at most 32 more levels, since there are fewer than 2^32 boxes */
-
-typedef struct {
-    Box box;
-    uint32_t first;      /* inner: the first of two children; leaf: the first of its items */
-    uint32_t n_items;    /* 0: an inner node */
-} Node;
 
 typedef struct { Box box; uint32_t index; } Item;
 
 struct Bvh {
-    const Node *nodes;
+    const WideBvh *wide;        /* BVH_SAH: this is what is traversed; nodes and items are NULL */
+    const BvhNode *nodes;
     uint32_t n_nodes;
-    const uint32_t *items;      /* indices of boxes, leaf by leaf */
-    const Box *item_boxes;      /* NULL: no leaf holds more than one item, so the leaf's box is the item's */
+    const uint32_t *items;      /* indices of boxes, leaf by leaf: one each */
     Box bounds;
 };
 
@@ -33,10 +26,10 @@ struct Bvh {
 
 typedef struct {
     Item *items;
-    Node *nodes;
+    BvhNode *nodes;
     uint32_t n_nodes;
     BvhSplit split;
-    bool has_large_leaf;
+    Arena *scratch;
 } Builder;
 
 static double centre(const Item *i, int axis) { return .5 * ((double)i->box.lo[axis] + i->box.hi[axis]); }
@@ -162,15 +155,12 @@ static uint32_t partition(Item *items, uint32_t n, const Split *s)
     return left;
 }
 
-/* How many of the items go to the left child; 0: they make a leaf. A leaf's cost is a box test for each item; a split costs
- * two box tests more. */
+/* How many of the items go to the left child; 0: a leaf, of one item. */
 static uint32_t split_items(const Builder *b, Item *items, uint32_t n, Box bounds, int depth)
 {
     if (n == 1) return 0;
     if (b->split == BVH_MEDIAN || depth >= SAH_MAX_DEPTH) return split_in_half(items, n, bounds);
     Split s = find_split(items, n);
-    double area = box_area(bounds);
-    if (n <= SAH_LEAF_SIZE && !(s.cost + 2 * area < area * n)) return 0;
     return s.cost < INFINITY ? partition(items, n, &s) : split_in_half(items, n, bounds);
 }
 
@@ -181,13 +171,12 @@ static void build_node(Builder *b, uint32_t at, uint32_t first, uint32_t n, int 
     Box bounds = bounds_of(items, n);
     uint32_t left = split_items(b, items, n, bounds, depth);
     if (left == 0) {
-        b->nodes[at] = (Node){ bounds, first, n };
-        b->has_large_leaf |= n > 1;
+        b->nodes[at] = (BvhNode){ bounds, first, n };
         return;
     }
     uint32_t child = b->n_nodes;
     b->n_nodes += 2;
-    b->nodes[at] = (Node){ bounds, child, 0 };
+    b->nodes[at] = (BvhNode){ bounds, child, 0 };
     build_node(b, child, first, left, depth + 1);
     build_node(b, child + 1, first + left, n - left, depth + 1);
 }
@@ -206,25 +195,26 @@ static uint32_t gather(const Box *boxes, uint32_t n, Item *items)
 static Bvh *finish(Arena *a, const Builder *b, uint32_t n_items)
 {
     Bvh *out = ARENA_NEW(a, Bvh);
-    uint32_t *indices = ARENA_ARRAY(a, uint32_t, n_items);
+    uint32_t *indices = ARENA_ARRAY(b->split == BVH_SAH ? b->scratch : a, uint32_t, n_items);
     for (uint32_t i = 0; i < n_items; i++) indices[i] = b->items[i].index;
-    out->items = indices;
-    if (b->has_large_leaf) {
-        Box *boxes = ARENA_ARRAY(a, Box, n_items);
-        for (uint32_t i = 0; i < n_items; i++) boxes[i] = b->items[i].box;
-        out->item_boxes = boxes;
-    }
-    out->nodes = arena_copy(a, b->nodes, b->n_nodes, sizeof(Node));
-    out->n_nodes = b->n_nodes;
     out->bounds = b->n_nodes > 0 ? b->nodes[0].box : box_empty();
+    if (b->n_nodes == 0) return out;
+    if (b->split == BVH_SAH) {
+        out->wide = bvh_wide_build(a, b->nodes, indices);
+        out->n_nodes = bvh_wide_node_count(out->wide);
+        return out;
+    }
+    out->items = indices;
+    out->nodes = arena_copy(a, b->nodes, b->n_nodes, sizeof(BvhNode));
+    out->n_nodes = b->n_nodes;
     return out;
 }
 
 Bvh *bvh_build(Arena *a, const Box *boxes, uint32_t n, BvhSplit split)
 {
     Arena *scratch = arena_new();                 /* freed here: the tree itself lies close together in a */
-    Builder b = { .items = ARENA_ARRAY(scratch, Item, n), .split = split };
-    b.nodes = ARENA_ARRAY(scratch, Node, 2 * (size_t)n);
+    Builder b = { .items = ARENA_ARRAY(scratch, Item, n), .split = split, .scratch = scratch };
+    b.nodes = ARENA_ARRAY(scratch, BvhNode, 2 * (size_t)n);
     uint32_t n_items = gather(boxes, n, b.items);
     if (n_items > 0) {
         b.n_nodes = 1;
@@ -245,9 +235,6 @@ typedef struct {
     BoxRay box_ray;
     const Ray *ray;
     double *t_max;
-    BvhVisit visit;
-    void *context;
-    Trace *trace;
     uint64_t *n_boxes;
 } Walk;
 
@@ -257,21 +244,10 @@ static bool meets(const Walk *w, const Box *b, double *t_enter)
     return box_hit(b, &w->box_ray, w->ray->t_min, *w->t_max, t_enter);
 }
 
-/* A leaf of one item was tested with its box; the items of a larger one are tested each. */
-static bool visit_leaf(const Walk *w, const Node *leaf)
-{
-    for (uint32_t i = leaf->first; i < leaf->first + leaf->n_items; i++) {
-        double t_enter;
-        if (leaf->n_items > 1 && !meets(w, &w->bvh->item_boxes[i], &t_enter)) continue;
-        if (w->visit(w->context, w->bvh->items[i], w->ray, w->t_max, w->trace)) return true;
-    }
-    return false;
-}
-
 typedef struct { uint32_t node; double t_enter; } Waiting;
 
 /* Children that the ray meets go onto the stack, the nearer one on top. */
-static int push_children(const Walk *w, const Node *n, Waiting *stack, int top)
+static int push_children(const Walk *w, const BvhNode *n, Waiting *stack, int top)
 {
     Waiting a = { n->first, 0 }, b = { n->first + 1, 0 };
     bool meets_a = meets(w, &w->bvh->nodes[a.node].box, &a.t_enter);
@@ -286,7 +262,8 @@ static int push_children(const Walk *w, const Node *n, Waiting *stack, int top)
 bool bvh_traverse(const Bvh *b, const Ray *r, double *t_max, BvhVisit visit, void *context, Trace *t)
 {
     if (b->n_nodes == 0) return false;
-    Walk w = { b, box_ray(r->origin, r->dir), r, t_max, visit, context, t,
+    if (b->wide) return bvh_wide_traverse(b->wide, r, t_max, visit, context, t);
+    Walk w = { b, box_ray(r->origin, r->dir), r, t_max,
                t->is_shadow_ray ? &t->counters.light_bv_intersections : &t->counters.bv_intersections };
     Waiting stack[MAX_DEPTH + 1];                 /* one sibling waits for each level, and two at the last */
     int top = 0;
@@ -295,9 +272,9 @@ bool bvh_traverse(const Bvh *b, const Ray *r, double *t_max, BvhVisit visit, voi
     while (top > 0) {
         Waiting next = stack[--top];
         if (next.t_enter > *t_max) continue;      /* a hit has come nearer since */
-        const Node *n = &b->nodes[next.node];
+        const BvhNode *n = &b->nodes[next.node];
         if (n->n_items == 0) top = push_children(&w, n, stack, top);
-        else if (visit_leaf(&w, n)) return true;
+        else if (visit(context, b->items[n->first], r, t_max, t)) return true;
     }
     return false;
 }

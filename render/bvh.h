@@ -10,13 +10,13 @@
 
 typedef enum {
     BVH_MEDIAN,   /* [MCFS00] section 2.2: sort along the axis of greatest extent, split the boxes in half */
-    BVH_SAH       /* binned surface area heuristic */
+    BVH_SAH       /* binned surface area heuristic, then collapsed to eight children a node (bvh_wide.c) */
 } BvhSplit;
 
 typedef struct Bvh Bvh;
 
 /* Builds a tree over n boxes (n may be 0; empty boxes are left out), deterministically. Infinite boxes are not allowed:
- * keep unbounded things outside. Leaves hold one box with BVH_MEDIAN, up to 4 with BVH_SAH. */
+ * keep unbounded things outside. Leaves hold one box. */
 Bvh *bvh_build(Arena *a, const Box *boxes, uint32_t n, BvhSplit split);
 Box bvh_bounds(const Bvh *b);
 uint32_t bvh_node_count(const Bvh *b);

@@ -1,12 +1,12 @@
 /* Chains of pieces and the implicit trees of boxes over them. See trim_chain.h.
  *
- * A tree is walked without a stack: at position i of level 0 the largest subtree that begins there is tried first (its level
- * is the number of times that 4 divides i), then the first of its children, and so on; what is dismissed is stepped over.
+ * A tree is walked without a stack: at position i of level 0 the largest subtree that begins there is tried first (its
+ * level says how often 4 divides i), then the first of its children, and so on; what is dismissed is stepped over.
  *
- * The winding number counts the pieces that a ray from p towards +u crosses, upward ones as +1. A run of pieces in a convex set
- * that does not contain p counts as the straight piece between its ends does, for it can be drawn straight without passing
- * p: so only runs whose box and strip contain p are opened. A point level with p counts as below it, which makes each vertex
- * belong to one of its pieces. */
+ * The winding number counts the pieces that a ray from p towards +u crosses, upward ones as +1. A run of pieces in a
+ * convex set that does not contain p counts as the straight piece between its ends does, for it can be drawn straight
+ * without passing p: so only runs whose box and strip contain p are opened. A point level with p counts as below it,
+ * which makes each vertex belong to one of its pieces. */
 #include "nurbs/trim_chain.h"
 
 #include <float.h>
@@ -222,9 +222,9 @@ TrimChain trim_chain_make(Arena *a, const Vec2 *p, int n)
     int n_groups = (n - 1) / TRIM_GROUP + 1;
     TrimRect *box = ARENA_ARRAY(a, TrimRect, n_groups);
     for (int g = 0; g < n_groups; g++) {
-        int first = g * TRIM_GROUP, end = piece_end(&c, first, TRIM_GROUP);
+        int first = g * TRIM_GROUP;
         box[g] = trim_rect_of(p[first], p[first + 1]);
-        for (int i = first + 1; i < end; i++) box[g] = trim_rect_union(box[g], trim_rect_of(p[i], p[i + 1]));
+        for (int i = first + 1; i < piece_end(&c, first, TRIM_GROUP); i++) box[g] = trim_rect_union(box[g], trim_rect_of(p[i], p[i + 1]));
     }
     c.boxes = trim_boxes_make(a, box, n_groups);
     add_strips(a, &c);
@@ -245,10 +245,10 @@ static int piece_winding(Vec2 a, Vec2 b, Vec2 p)
     return p.x < fmin(a.x, b.x) || trim_side(a, b, p) == s ? s : 0;
 }
 
-static int group_winding(const TrimChain *c, int group, Vec2 p)
+static int group_winding(const TrimChain *c, int first, Vec2 p)
 {
-    int first = group * TRIM_GROUP, end = piece_end(c, first, TRIM_GROUP), winding = 0;
-    for (int i = first; i < end; i++) winding += piece_winding(c->p[i], c->p[i + 1], p);
+    int winding = 0;
+    for (int i = first; i < piece_end(c, first, TRIM_GROUP); i++) winding += piece_winding(c->p[i], c->p[i + 1], p);
     return winding;
 }
 
@@ -271,7 +271,7 @@ int trim_chain_winding(const TrimChain *c, Vec2 p)
         int level = level_at(&c->boxes, i);
         while (!counts_whole(c, level, i, p, &winding)) {
             if (level == 0) {
-                winding += group_winding(c, i, p);
+                winding += group_winding(c, i * TRIM_GROUP, p);
                 break;
             }
             level--;
@@ -283,13 +283,18 @@ int trim_chain_winding(const TrimChain *c, Vec2 p)
 
 /* ---- what is near ---- */
 
+static inline bool run_may_meet_rect(const TrimChain *c, int level, int i, TrimRect r)
+{
+    return trim_rects_meet(c->boxes.box[level][i], r) && strip_meets_rect(&c->strip[level][i], r);
+}
+
 /* The first group from `from` on whose box and strip meet r; -1: none. */
 static int next_group(const TrimChain *c, TrimRect r, int from)
 {
     const TrimBoxes *t = &c->boxes;
     for (int i = from; i < t->n[0]; ) {
         int level = level_at(t, i);
-        while (trim_rects_meet(t->box[level][i >> (2 * level)], r) && strip_meets_rect(&c->strip[level][i >> (2 * level)], r)) {
+        while (run_may_meet_rect(c, level, i >> (2 * level), r)) {
             if (level == 0) return i;
             level--;
         }
@@ -322,7 +327,6 @@ bool trim_chain_meets(const TrimChain *c, TrimRect r)
 }
 
 static inline TrimRect around(Vec2 p, double by) { return (TrimRect){ p.x - by, p.x + by, p.y - by, p.y + by }; }
-
 TrimNearest trim_chain_nearest(const TrimChain *c, Vec2 p, double limit)
 {
     TrimNearest best = { limit, -1, p };
@@ -369,8 +373,7 @@ static bool groups_pair(const Pairing *p, int g, int h)
 static inline int children(const TrimChain *c, int level, int i, int *first)
 {
     *first = i * TRIM_BOXES_FAN;
-    int n = c->boxes.n[level - 1] - *first;
-    return n < TRIM_BOXES_FAN ? n : TRIM_BOXES_FAN;
+    return (int)fmin(c->boxes.n[level - 1] - *first, TRIM_BOXES_FAN);
 }
 
 /* Run i of a at its level and run j of b: the higher of the two is opened, or both. */
@@ -393,6 +396,5 @@ static bool runs_pair(const Pairing *p, int level_a, int i, int level_b, int j)
 
 bool trim_chains_meet(const TrimChain *a, const TrimChain *b, TrimPairVisit visit, void *context)
 {
-    Pairing p = { a, b, visit, context };
-    return runs_pair(&p, a->boxes.n_levels - 1, 0, b->boxes.n_levels - 1, 0);
+    return runs_pair(&(Pairing){ a, b, visit, context }, a->boxes.n_levels - 1, 0, b->boxes.n_levels - 1, 0);
 }

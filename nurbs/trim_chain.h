@@ -1,7 +1,9 @@
-/* A closed chain of pieces in the unit square, with a tree of bounds over runs of consecutive pieces: what trims are tested by.
+/* A closed chain of pieces in the unit square, with a tree of bounds over runs of consecutive pieces: what trims are
+ * tested by.
  *
  * A piece is monotone in u and in v, so that its box is the box of its ends, and here it is straight. Only the functions
- * trim_piece_* look between the ends. All predicates are exact: chains that share vertices and edges see the same sides. */
+ * trim_piece_* look between the ends. All predicates are exact: chains that share vertices and edges see the same
+ * sides. */
 #ifndef TRIMRAY_TRIM_CHAIN_H
 #define TRIMRAY_TRIM_CHAIN_H
 

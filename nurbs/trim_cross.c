@@ -1,13 +1,13 @@
 /* Crossings of two chains and of a chain with itself. See trim_cross.h.
  *
- * Two chains: the excursion of a to one side of b is the greatest distance from b of a's points on that side. If a crosses b, both
- * excursions are positive, and the lesser one is the depth. They are found by bisecting the pieces of a, with bounds: along a
- * piece the distance to one piece of b is a convex function, so its ends bound the distance to b; runs of pieces that keep
- * clear of b are on one side, and one point of them may be enough.
+ * Two chains: the excursion of a to one side of b is the greatest distance from b of a's points on that side. If a
+ * crosses b, both excursions are positive, and the lesser one is the depth. They are found by bisecting the pieces of a,
+ * with bounds: along a piece the distance to one piece of b is a convex function, so its ends bound the distance to b;
+ * runs of pieces that keep clear of b are on one side, and one point of them may be enough.
  *
  * One chain: the places where it meets itself cut it into runs. Beside a run the winding number is constant, on either
- * side. Where it is neither 0 nor that of a simple loop, circles that touch the run on that side are shrunk until
- * no other piece is in them; the centre of one that is still in the wrong region proves a depth of its diameter. */
+ * side. Where it is neither 0 nor that of a simple loop, circles that touch the run on that side are shrunk until no
+ * other piece is in them; the centre of one that is still in the wrong region proves a depth of its diameter. */
 #include "nurbs/trim_cross.h"
 
 #include <stdlib.h>
@@ -92,7 +92,8 @@ static void excursions_below(Excursions *e, int level, int g)
     if (is_settled(e, level, g) || (e->far[INSIDE] >= TRIM_DEPTH_CAP && e->far[OUTSIDE] >= TRIM_DEPTH_CAP)) return;
     if (level > 0) {
         int step = 1 << (2 * (level - 1));
-        for (int i = 0; i < TRIM_BOXES_FAN && g + i * step < a->boxes.n[0]; i++) excursions_below(e, level - 1, g + i * step);
+        int end = g + TRIM_BOXES_FAN * step;
+        for (int h = g; h < end && h < a->boxes.n[0]; h += step) excursions_below(e, level - 1, h);
     } else {
         int first = g * TRIM_GROUP;
         for (int i = first; i < first + TRIM_GROUP && i < a->n; i++) bisect(e, a->p[i], a->p[i + 1], i);

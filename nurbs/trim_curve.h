@@ -26,8 +26,8 @@ Vec2 trim_from_unit(const TrimRect *domain, Vec2 p);
  * interior knot of full multiplicity is legal: the curve then has a joint there. */
 bool trim_curve_is_valid(const TrimCurveDesc *c, NurbsError *error);
 
-/* The first span s >= from of the domain that is not empty; -1: no more. Begin with from = 0. Does the curve begin at span s,
- * or again after a knot of full multiplicity? */
+/* The first span s >= from of the domain that is not empty; -1: no more. Begin with from = 0. Does the curve begin at
+ * span s, or again after a knot of full multiplicity? */
 int trim_curve_span(const TrimCurveDesc *c, int from);
 bool trim_curve_starts_at(const TrimCurveDesc *c, int s);
 

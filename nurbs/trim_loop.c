@@ -224,7 +224,7 @@ bool trim_loop_read(Arena *a, const TrimInput *in, int index, TrimLoop *out, Nur
 {
     Reader r = { .arena = a, .in = in, .desc = &in->loops[index], .out = out, .error = error };
     *out = (TrimLoop){ .index = index };
-    *error = (NurbsError){ .code = NURBS_OK, .where = NURBS_IN_TRIM, .trim = index, .curve = -1, .index = index, .other = -1 };
+    *error = (NurbsError){ .where = NURBS_IN_TRIM, .trim = index, .curve = -1, .index = index, .other = -1 };
     if (!(r.desc->is_polyline ? read_polyline(&r) : read_curves(&r))) return false;
     if (!close_joints(&r) || !check_inside(&r)) return false;
     clamp_to_domain(&r);

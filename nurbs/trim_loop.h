@@ -1,8 +1,9 @@
 /* One trim as read: a closed polyline in the unit square, mended within the tolerances of the scene language.
  *
  * All tolerances are relative to the domain in that direction, but the one in space, which is relative to the surface's
- * size. They come from 47,526 trim curves of real STEP, IGES and Rhino files: 54 % of the joints are not exact, 1.9 % by more
- * than 1e-6 and 0.26 % by more than 1e-4 of the domain; 24 % of the curves leave the domain, 0.23 % by more than 1e-4. */
+ * size. They come from 47,526 trim curves of real STEP, IGES and Rhino files: 54 % of the joints are not exact, 1.9 % by
+ * more than 1e-6 and 0.26 % by more than 1e-4 of the domain; 24 % of the curves leave the domain, 0.23 % by more than
+ * 1e-4. */
 #ifndef TRIMRAY_TRIM_LOOP_H
 #define TRIMRAY_TRIM_LOOP_H
 
@@ -25,9 +26,9 @@ typedef struct {
     TrimFault bridged, clamped;    /* the widest bridge, the farthest point outside: beyond TRIM_SILENT only */
 } TrimLoop;
 
-/* Reads loop `index` of the input: curves flattened, joints closed or bridged, points outside the domain clamped to it, points
- * within TRIM_SILENT of a border put on it, repeated points left out; what has no area is emptied (n = 0). False: *error says
- * what is beyond the tolerances. The result lies in `a`. */
+/* Reads loop `index` of the input: curves flattened, joints closed or bridged, points outside the domain clamped to it,
+ * points within TRIM_SILENT of a border put on it, repeated points left out; what has no area is emptied (n = 0). False:
+ * *error says what is beyond the tolerances. The result lies in `a`. */
 bool trim_loop_read(Arena *a, const TrimInput *in, int index, TrimLoop *out, NurbsError *error);
 
 /* Does the loop consist of nothing but pieces of the domain's border? */

@@ -1,8 +1,8 @@
 /* Procedures Inside and IsTrimmed of [MCFS00] sections 3.1 and 3.2: is a point kept, is a rectangle wholly kept or cut.
  *
- * The paper goes down into the first trim of a list that contains the point. Here all trims that contain it have a say, for
- * real trims of one level may overlap by a hair (a shallow crossing): among regions one that keeps the point is enough, among holes
- * one that cuts it. So the order of the trims does not matter. */
+ * The paper goes down into the first trim of a list that contains the point. Here all trims that contain it have a say,
+ * for real trims of one level may overlap by a hair (a shallow crossing): among regions one that keeps the point is
+ * enough, among holes one that cuts it. So the order of the trims does not matter. */
 #include "nurbs/trim_test.h"
 
 #include "nurbs/trim_curve.h"

@@ -1,5 +1,5 @@
-/* The tests against a finished hierarchy of trims, and what they work on. trim_keeps and trim_class, the public ones, are declared
- * in trim_tree.h. */
+/* The tests against a finished hierarchy of trims, and what they work on. trim_keeps and trim_class, the public ones, are
+ * declared in trim_tree.h. */
 #ifndef TRIMRAY_TRIM_TEST_H
 #define TRIMRAY_TRIM_TEST_H
 

@@ -1,8 +1,8 @@
 /* From loops to the hierarchy of trims: [MCFS00] section 3.1.
  *
- * The paper inserts trims one by one; the same tree is had by giving each trim the smallest of those that contain it as parent,
- * and that does not depend on the order. As in the paper containment is judged by points of the one that are clear of the
- * other, so shared vertices and edges do no harm; the pairs to judge are those whose boxes meet. */
+ * The paper inserts trims one by one; the same tree is had by giving each trim the smallest of those that contain it as
+ * parent, and that does not depend on the order. As in the paper containment is judged by points of the one that are
+ * clear of the other, so shared vertices and edges do no harm; the pairs to judge are those whose boxes meet. */
 #include "nurbs/trim_tree.h"
 
 #include "nurbs/trim_cross.h"
@@ -181,7 +181,8 @@ static bool fill_list(Builder *b, TrimList *l, const int *which, int n)
     return check_directions(b, l);
 }
 
-/* The trims sorted by parent, in order of the plane within one: those of parent p (-1 first) are order[first[p+1]] and on. */
+/* The trims sorted by parent, in order of the plane within one: those of parent p (-1 first) are order[first[p+1]] and
+ * on. */
 static void sort_by_parent(const Builder *b, int *order, int *first)
 {
     for (int p = 0; p <= b->n + 1; p++) first[p] = 0;

@@ -386,8 +386,9 @@ static void the_curve_counts_and_not_its_control_points(void **state)
     Arena *a = arena_new();
     const double knots[6] = { 0, 0, 0, 1, 1, 1 };
     for (int i = 0; i < 2; i++) {
-        double peak = i == 0 ? 1 : 1.011;   /* a parabola from v = .5 to v = .5 goes half as far as its middle control point */
-        Vec3 p[3] = { { .2, .5, 1 }, { .5, .5 + 2 * (peak - .5), 1 }, { .8, .5, 1 } }, q[2] = { { .8, .5, 1 }, { .2, .5, 1 } };
+        double peak = i == 0 ? 1 : 1.011;   /* the parabola from v = .5 to v = .5 goes half as far as its control point */
+        Vec3 p[3] = { { .2, .5, 1 }, { .5, .5 + 2 * (peak - .5), 1 }, { .8, .5, 1 } };
+        Vec3 q[2] = { { .8, .5, 1 }, { .2, .5, 1 } };
         const double line[4] = { 0, 0, 1, 1 };
         TrimCurveDesc c[2] = { { .order = 3, .n = 3, .knots = knots, .points = p },
                                { .order = 2, .n = 2, .knots = line, .points = q } };

@@ -8,7 +8,7 @@
 /* Words of the rule files. */
 static const char supported[] =
     "adaptive adc_bailout albedo ambient ambient_light angle area_illumination area_light array assumed_gamma bounded_by "
-    "brick brick_size brilliance caustics charset checker circular color_map colour_map conserve_energy cubic_wave "
+    "brick brick_size brilliance caustics charset checker circular clipped_by color_map colour_map conserve_energy cubic_wave "
     "cylindrical diffuse direction distance double_illuminate emission exponent fade_color fade_colour fade_distance "
     "fade_power falloff finish flatness fog_alt fog_offset fog_type frequency fresnel gradient hexagon hf_gray_16 hierarchy "
     "hollow interior interior_texture inverse ior irid_wavelength jitter leopard location look_at matrix max_intersections "
@@ -29,7 +29,7 @@ static const char contextual[] =
 static const char unsupported[] =
     "aa_level aa_threshold absorption accuracy agate agate_turb all_intersections alpha altitude always_sample aperture append "
     "arc_angle ascii autostop average b_spline bezier_spline bicubic_patch black_hole blob blur_samples box bozo brightness "
-    "bump_map bump_size bumps cells clipped_by collect component composite cone confidence conic_sweep contained_by control0 "
+    "bump_map bump_size bumps cells collect component composite cone confidence conic_sweep contained_by control0 "
     "control1 coords count crackle crand cube cubic cubic_spline cutaway_textures cylinder datetime density density_file "
     "density_map dents df3 difference disc dispersion dispersion_samples dist_exp eccentricity error_bound evaluate "
     "expand_thresholds exr exterior extinction face_indices facets falloff_angle fclose fisheye flip focal_point fopen form "

@@ -131,8 +131,21 @@ static void modify_no_reflection(Parser *p, Object *o, Place where)
 
 static void modify_inverse(Parser *p, Object *o, Place where)
 {
-    (void)p, (void)where;
-    o->is_inverse = !o->is_inverse;
+    (void)where;
+    object_invert(parser_arena(p), o);
+}
+
+static void modify_clipped_by(Parser *p, Object *o, Place where)
+{
+    Shape **clips = NULL;
+    size_t n = 0, capacity = 0;
+    Place opened = expect_open(p, "clipped_by");
+    (void)where;
+    refuse_word(p, "bounded_by", "bounded_by in clipped_by");
+    for (Object *clip; (clip = parse_any_object(p)) != NULL;) ARENA_PUSH(parser_arena(p), clips, n, capacity) = &clip->shape;
+    if (n == 0) parse_fail_expected(p, "an object");
+    expect_close(p, '}', "clipped_by", opened);
+    object_clip(parser_arena(p), o, clips, (uint32_t)n);
 }
 
 static void modify_hollow(Parser *p, Object *o, Place where)
@@ -155,7 +168,7 @@ static const struct {
     { "interior", modify_interior }, { "interior_texture", modify_interior_texture },
     { "uv_mapping", modify_uv_mapping }, { "no_shadow", modify_no_shadow }, { "no_image", modify_no_image },
     { "no_reflection", modify_no_reflection }, { "inverse", modify_inverse }, { "hollow", modify_hollow },
-    { "double_illuminate", modify_double_illuminate },
+    { "double_illuminate", modify_double_illuminate }, { "clipped_by", modify_clipped_by },
 };
 
 /* They change nothing in a picture made by these means: bounds are found without help, solvers need no hint, and there are

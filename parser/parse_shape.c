@@ -114,15 +114,52 @@ static bool is_plain(const Object *o)
         !o->no_image && !o->no_reflection && !o->is_inverse && !o->is_hollow && !o->double_illuminate;
 }
 
+/* The parts of a compound, each as its bare shape where that is all that it is. */
+static Shape **parse_parts(Parser *p, const char *feature, uint32_t *n)
+{
+    Shape **parts = NULL;
+    size_t n_parts = 0, capacity = 0;
+    for (Object *o; (o = parse_any_object(p)) != NULL;)
+        ARENA_PUSH(parser_arena(p), parts, n_parts, capacity) = is_plain(o) ? o->child : &o->shape;
+    refuse_word(p, "light_source", feature);
+    *n = (uint32_t)n_parts;
+    return parts;
+}
+
 static Shape *parse_union(Parser *p, Place word)
 {
     (void)word;
-    Shape **parts = NULL;
-    size_t n = 0, capacity = 0;
-    for (Object *o; (o = parse_any_object(p)) != NULL;)
-        ARENA_PUSH(parser_arena(p), parts, n, capacity) = is_plain(o) ? o->child : &o->shape;
-    refuse_word(p, "light_source", "light_source in a union");
-    return union_new(parser_arena(p), parts, (uint32_t)n);
+    uint32_t n;
+    Shape **parts = parse_parts(p, "light_source in a union", &n);
+    return union_new(parser_arena(p), parts, n);
+}
+
+static Shape **parse_csg_parts(Parser *p, Place word, uint32_t *n)
+{
+    Shape **parts = parse_parts(p, "light_source in a compound", n);
+    if (*n < 2) parse_warn(p, word, "expected at least 2 objects in a compound, found %u", *n);
+    return parts;
+}
+
+static Shape *parse_intersection(Parser *p, Place word)
+{
+    uint32_t n;
+    Shape **parts = parse_csg_parts(p, word, &n);
+    return intersection_new(parser_arena(p), parts, n);
+}
+
+static Shape *parse_difference(Parser *p, Place word)
+{
+    uint32_t n;
+    Shape **parts = parse_csg_parts(p, word, &n);
+    return difference_new(parser_arena(p), parts, n);
+}
+
+static Shape *parse_merge(Parser *p, Place word)
+{
+    uint32_t n;
+    Shape **parts = parse_csg_parts(p, word, &n);
+    return merge_new(parser_arena(p), parts, n);
 }
 
 static const ShapeRule rules[] = {
@@ -139,6 +176,9 @@ static const ShapeRule rules[] = {
     { .word = "trimmed_nurbs", .read = parse_trimmed_nurbs, .may_use_angles = true },
     { .word = "nurbs", .read = parse_hg_nurbs },
     { .word = "union", .read = parse_union },
+    { .word = "intersection", .read = parse_intersection },
+    { .word = "difference", .read = parse_difference },
+    { .word = "merge", .read = parse_merge },
 };
 
 const ShapeRule *shape_rule_at(size_t i)

@@ -22,6 +22,10 @@ Shape *parse_trimmed_nurbs(Parser *p, Place word);
 Shape *parse_hg_nurbs(Parser *p, Place word);
 Shape *parse_bicubic_patch(Parser *p, Place word);
 
+/* parse_mesh.c */
+Shape *parse_mesh(Parser *p, Place word);
+Shape *parse_mesh2(Parser *p, Place word);
+
 /* parse_object.c */
 void parse_modifiers(Parser *p, Object *o);             /* all that follow */
 void skip_block(Parser *p, const char *what);           /* { ... }, whatever is in it */

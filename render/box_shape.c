@@ -4,6 +4,7 @@
  * ray, whatever the coordinates, and beside a face the sign of t is always right. A ray within a face (0/0 = NaN) belongs to
  * the box: the comparisons pass over a NaN. Of two faces that are met at once, within that error, the one that the ray faces
  * more wins, as in POV-Ray. */
+#include "render/hit_list.h"
 #include "render/shapes.h"
 
 typedef struct { Shape shape; double lo[3], hi[3]; } BoxShape;
@@ -61,6 +62,15 @@ static bool box_shape_hit(const Shape *shape, const Ray *r, Hit *best, Trace *t)
     return true;
 }
 
+static void box_shape_all_hits(const Shape *shape, const Ray *r, HitList *out, Trace *t)
+{
+    Crossing enter, leave;
+    t->counters.primitive_tests++;
+    if (!box_crossings((const BoxShape *)shape, r, &enter, &leave)) return;
+    hit_list_offer(out, r, fmin(enter.t, leave.t), 3 * T_ERROR * enter.t, shape, (uint32_t)enter.face);
+    hit_list_offer(out, r, leave.t, 3 * T_ERROR * leave.t, shape, (uint32_t)leave.face);
+}
+
 static bool box_shape_inside(const Shape *shape, Vec3 p)
 {
     const BoxShape *b = (const BoxShape *)shape;
@@ -94,8 +104,8 @@ static void box_shape_attributes(const Shape *shape, const Ray *r, const Hit *h,
 }
 
 static const ShapeType box_shape_type = {
-    .name = "box", .bounds = box_shape_bounds, .hit = box_shape_hit, .inside = box_shape_inside,
-    .attributes = box_shape_attributes,
+    .name = "box", .bounds = box_shape_bounds, .hit = box_shape_hit, .all_hits = box_shape_all_hits,
+    .inside = box_shape_inside, .attributes = box_shape_attributes,
 };
 
 Shape *box_shape_new(Arena *a, Vec3 corner, Vec3 other)

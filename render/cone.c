@@ -12,6 +12,7 @@
  * Error: base and axis have errors of 3u |o - base|, the step to s of 4u s |dir|, z and rho together of 8u height: each
  * is a distance across the surface, up to the slope of the side, 1 + |k|. The roots of the quadratic are backward stable,
  * which adds a few u times the radii. */
+#include "render/hit_list.h"
 #include "render/shapes.h"
 
 typedef struct {
@@ -113,15 +114,22 @@ static double cone_error(const Cone *c, const Ray *r, double t)
     return POINT_ERROR * (1 + fabs(c->slope)) * (reach / length + t);
 }
 
-static bool cone_hit(const Shape *shape, const Ray *r, Hit *best, Trace *t)
+/* The crossings of the ray's whole line; false: there are none ahead of it. */
+static bool cone_meets(const Cone *c, const Ray *r, Trace *t, Crossing out[2])
 {
-    const Cone *c = (const Cone *)shape;
     t->counters.primitive_tests++;
     Split p = split_ray(c, r);
     Span slab = slab_span(c, &p);
     if (!(slab.lo <= slab.hi && slab.hi > r->t_min)) return false;
+    cone_crossings(c, &p, slab, side_span(c, &p, slab), out);
+    return true;
+}
+
+static bool cone_hit(const Shape *shape, const Ray *r, Hit *best, Trace *t)
+{
+    const Cone *c = (const Cone *)shape;
     Crossing crossing[2];
-    cone_crossings(c, &p, slab, side_span(c, &p, slab), crossing);
+    if (!cone_meets(c, r, t, crossing)) return false;
     for (int i = 0; i < 2; i++) {
         double t_hit = crossing[i].t;
         if (!(t_hit > r->t_min && t_hit < best->t)) continue;
@@ -129,6 +137,15 @@ static bool cone_hit(const Shape *shape, const Ray *r, Hit *best, Trace *t)
         return true;
     }
     return false;
+}
+
+static void cone_all_hits(const Shape *shape, const Ray *r, HitList *out, Trace *t)
+{
+    const Cone *c = (const Cone *)shape;
+    Crossing crossing[2];
+    if (!cone_meets(c, r, t, crossing)) return;
+    for (int i = 0; i < 2; i++)
+        hit_list_offer(out, r, crossing[i].t, cone_error(c, r, crossing[i].t), shape, crossing[i].face);
 }
 
 static bool cone_inside(const Shape *shape, Vec3 point)
@@ -151,10 +168,12 @@ static void cone_attributes(const Shape *shape, const Ray *r, const Hit *h, Attr
 }
 
 static const ShapeType cone_type = {
-    .name = "cone", .bounds = cone_bounds, .hit = cone_hit, .inside = cone_inside, .attributes = cone_attributes,
+    .name = "cone", .bounds = cone_bounds, .hit = cone_hit, .all_hits = cone_all_hits, .inside = cone_inside,
+    .attributes = cone_attributes,
 };
 static const ShapeType cylinder_type = {
-    .name = "cylinder", .bounds = cone_bounds, .hit = cone_hit, .inside = cone_inside, .attributes = cone_attributes,
+    .name = "cylinder", .bounds = cone_bounds, .hit = cone_hit, .all_hits = cone_all_hits, .inside = cone_inside,
+    .attributes = cone_attributes,
 };
 
 static Shape *frustum_new(Arena *a, const ShapeType *type, Vec3 base, double r0, Vec3 cap, double r1, bool is_open)

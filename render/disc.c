@@ -33,10 +33,17 @@ static bool disc_hit(const Shape *shape, const Ray *r, Hit *best, Trace *t)
     return true;
 }
 
+/* Below its plane, however far out, as it is for POV-Ray. */
 static bool disc_inside(const Shape *shape, Vec3 p)
 {
     const Disc *d = (const Disc *)shape;
     return vec_dot(d->normal, vec_sub(p, d->centre)) < 0;
+}
+
+static Box disc_inside_bounds(const Shape *shape)
+{
+    (void)shape;
+    return box_infinite();
 }
 
 static void disc_attributes(const Shape *shape, const Ray *r, const Hit *h, Attributes *out)
@@ -46,7 +53,8 @@ static void disc_attributes(const Shape *shape, const Ray *r, const Hit *h, Attr
 }
 
 static const ShapeType disc_type = {
-    .name = "disc", .bounds = disc_bounds, .hit = disc_hit, .inside = disc_inside, .attributes = disc_attributes,
+    .name = "disc", .bounds = disc_bounds, .hit = disc_hit, .inside = disc_inside,
+    .inside_bounds = disc_inside_bounds, .attributes = disc_attributes,
 };
 
 Shape *disc_new(Arena *a, Vec3 centre, Vec3 normal, double radius, double hole_radius)

@@ -8,9 +8,9 @@ const Medium media_of_camera = { 0 };
 static Medium medium_of_hit(const Hit *h)
 {
     Medium m = { .interior = hit_interior(h) };
-    int first = 0;
+    int first = h->n_objects - 1;
     if (m.interior)
-        while (first < h->n_objects - 1 && h->objects[first]->interior != m.interior) first++;
+        for (first = 0; first < h->n_objects - 1 && h->objects[first]->interior != m.interior;) first++;
     m.n_path = h->n_objects - first;
     for (int i = 0; i < m.n_path; i++) {
         m.path[i] = h->objects[first + i];

@@ -3,6 +3,9 @@
  * itself to the hit's chain. What a hit looks like is found along that chain, innermost first. */
 #include "render/object.h"
 
+#include "render/hit_list.h"
+#include "render/shapes.h"
+
 #include <assert.h>
 
 /* ---- the object as a shape ---- */
@@ -44,15 +47,29 @@ static double error_outside(const Object *o, const Ray *r, const Ray *within, co
     return stretch(&o->placement.forward) * (h->t_error * vec_length(within->dir) + moved) / length;
 }
 
+static void pass(const Object *o, const Ray *r, const Ray *within, Hit *h)
+{
+    if (o->is_placed) h->t_error = error_outside(o, r, within, h);
+    assert(h->n_objects < HIT_MAX_OBJECTS);
+    h->objects[h->n_objects++] = o;
+}
+
 static bool object_hit(const Shape *shape, const Ray *r, Hit *best, Trace *t)
 {
     const Object *o = (const Object *)shape;
     Ray within = ray_within(o, r);
     if (!shape_hit(o->child, &within, best, t)) return false;
-    if (o->is_placed) best->t_error = error_outside(o, r, &within, best);
-    assert(best->n_objects < HIT_MAX_OBJECTS);
-    best->objects[best->n_objects++] = o;
+    pass(o, r, &within, best);
     return true;
+}
+
+static void object_all_hits(const Shape *shape, const Ray *r, HitList *out, Trace *t)
+{
+    const Object *o = (const Object *)shape;
+    Ray within = ray_within(o, r);
+    size_t first = out->n;
+    shape_all_hits(o->child, &within, out, t);
+    for (size_t i = first; i < out->n; i++) pass(o, r, &within, &out->hits[i]);
 }
 
 static bool object_blocks(const Shape *shape, const Ray *r, double t_max, Trace *t)
@@ -69,6 +86,14 @@ static bool object_inside(const Shape *shape, Vec3 p)
     return o->child->type->inside(o->child, o->is_placed ? xform_unpoint(&o->placement, p) : p) != o->is_inverse;
 }
 
+static Box object_inside_bounds(const Shape *shape)
+{
+    const Object *o = (const Object *)shape;
+    if (o->is_inverse) return box_infinite();
+    Box b = shape_inside_bounds(o->child);
+    return o->is_placed ? xform_box(&o->placement, b) : b;
+}
+
 static uint32_t object_parts(const Shape *shape, Shape *const **list)
 {
     *list = &((const Object *)shape)->child;
@@ -76,8 +101,8 @@ static uint32_t object_parts(const Shape *shape, Shape *const **list)
 }
 
 static const ShapeType object_type = {
-    .name = "object", .bounds = object_bounds, .hit = object_hit, .blocks = object_blocks, .inside = object_inside,
-    .parts = object_parts,
+    .name = "object", .bounds = object_bounds, .hit = object_hit, .blocks = object_blocks,
+    .all_hits = object_all_hits, .inside = object_inside, .inside_bounds = object_inside_bounds, .parts = object_parts,
 };
 
 bool shape_is_object(const Shape *s) { return s->type == &object_type; }
@@ -143,7 +168,7 @@ static Shape *distribute(Arena *a, const Object *o, Shape *s)
     uint32_t n = s->type->parts(s, &parts);
     Shape **merged = ARENA_ARRAY(a, Shape *, n);
     for (uint32_t i = 0; i < n; i++) merged[i] = distribute(a, o, parts[i]);
-    return s->type->with_parts(s, a, merged);
+    return s->type->with_parts(s, a, merged, false, &o->placement);
 }
 
 /* An equal of s with one level less; s has at least two. */
@@ -154,7 +179,7 @@ static Shape *shallower(Arena *a, Shape *s)
     uint32_t n = s->type->parts(s, &parts);
     Shape **changed = ARENA_ARRAY(a, Shape *, n);
     for (uint32_t i = 0; i < n; i++) changed[i] = parts[i]->depth == s->depth ? shallower(a, parts[i]) : parts[i];
-    return s->type->with_parts(s, a, changed);
+    return s->type->with_parts(s, a, changed, false, NULL);
 }
 
 Object *object_new(Arena *a, Shape *child)
@@ -163,6 +188,51 @@ Object *object_new(Arena *a, Shape *child)
 }
 
 Object *object_copy(Arena *a, const Object *o) { return copy(a, o); }
+
+/* ---- inside out ---- */
+
+/* The flag is set on primitives alone, so that what lies between follows POV-Ray's rules for the inverse of each compound. */
+void object_invert(Arena *a, Object *o)
+{
+    if (!o->child->type->parts) {
+        o->is_inverse = !o->is_inverse;
+        return;
+    }
+    o->child = shape_inverse(a, o->child);
+    if (o->child->depth >= HIT_MAX_OBJECTS) o->child = shallower(a, o->child);
+    o->shape.depth = o->child->depth + 1;
+}
+
+Shape *shape_inverse(Arena *a, Shape *s)
+{
+    Shape *const *parts;
+    if (!s->type->with_parts) {
+        Object *o = shape_is_object(s) ? copy(a, (const Object *)s) : wrap(a, s);
+        object_invert(a, o);
+        return &o->shape;
+    }
+    uint32_t n = s->type->parts(s, &parts);
+    Shape **inverted = ARENA_ARRAY(a, Shape *, n);
+    for (uint32_t i = 0; i < n; i++) inverted[i] = shape_inverse(a, parts[i]);
+    return s->type->with_parts(s, a, inverted, true, NULL);
+}
+
+/* The clips in the space of the child, and an inversion so far below the clipping: an inverse is clipped, never its clips
+ * inverted. */
+void object_clip(Arena *a, Object *o, Shape *const clips[], uint32_t n)
+{
+    Shape **within = ARENA_ARRAY(a, Shape *, n);
+    Xform back = xform_inverse(o->placement);
+    for (uint32_t i = 0; i < n; i++) {
+        Object *clip = object_new(a, clips[i]);
+        object_transform(clip, &back);
+        within[i] = &clip->shape;
+    }
+    Shape *child = o->is_inverse ? shape_inverse(a, o->child) : o->child;
+    o->is_inverse = false;
+    o->child = clipped_new(a, child, within, n);
+    o->shape.depth = child->depth + 1;
+}
 
 /* ---- what there is below ---- */
 

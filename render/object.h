@@ -31,6 +31,14 @@ Object *object_copy(Arena *a, const Object *o);
 /* Applies a transformation written after everything so far: moves the shape and its texture. */
 void object_transform(Object *o, const Xform *x);
 
+/* Turns o inside out: POV-Ray's `inverse`. A compound below becomes what its inverted parts make (so is_inverse only ever
+ * stands directly over a primitive), and what is shared is copied. shape_inverse leaves s alone. */
+void object_invert(Arena *a, Object *o);
+Shape *shape_inverse(Arena *a, Shape *s);
+
+/* Keeps of o's surface what lies inside all clips, which stand in the space outside of o. */
+void object_clip(Arena *a, Object *o, Shape *const clips[], uint32_t n);
+
 /* Is s an Object? */
 bool shape_is_object(const Shape *s);
 

@@ -7,6 +7,7 @@
 #include "render/box.h"
 #include "render/ray.h"
 #include "render/stats.h"
+#include "render/xform.h"
 
 #include <stdatomic.h>
 #include <stdbool.h>
@@ -18,6 +19,9 @@ typedef struct {
     bool is_shadow_ray;      /* set by whoever casts the ray: boxes are counted apart */
     bool measures_time;      /* fill counters.nurbs_seconds: costs two clock reads a test */
     uint64_t seed;           /* of this ray: depends only on (pixel, sample); see hash.h */
+    /* The last root that was accepted: where rays that leave from it find their own surface again. It counts only while
+     * `seed` is the same, so that no pixel depends on another. */
+    struct { const void *leaf; double s, t; uint64_t seed; } root;
 } Trace;
 
 typedef struct HitList HitList;     /* all hits of a ray in order of t, for CSG */
@@ -29,12 +33,15 @@ typedef struct {
     void (*prepare)   (Shape *s, Arena *own, Trace *t);   /* once, when a first ray reaches the bounds; NULL: nothing */
     bool (*hit)       (const Shape *s, const Ray *r, Hit *best, Trace *t);    /* nearest in (r->t_min, best->t) */
     bool (*blocks)    (const Shape *s, const Ray *r, double t_max, Trace *t); /* any in (r->t_min, t_max); NULL: by hit() */
-    int  (*all_hits)  (const Shape *s, const Ray *r, HitList *out, Trace *t); /* in order of t; NULL: hit() repeated */
+    void (*all_hits)  (const Shape *s, const Ray *r, HitList *out, Trace *t); /* appends, in order of t; NULL: hit() repeated */
     bool (*inside)    (const Shape *s, Vec3 p);                               /* NULL: a surface without an inside */
+    Box  (*inside_bounds)(const Shape *s);                                    /* contains all that is inside; NULL: bounds() */
     void (*attributes)(const Shape *s, const Ray *r, const Hit *h, Attributes *out);  /* for the winner only */
     bool (*tessellate)(const Shape *s, double chord_error, MeshSink *out);    /* NULL: not exportable */
     uint32_t (*parts) (const Shape *s, Shape *const **list);   /* what it is made of, in order; NULL: a primitive */
-    Shape *(*with_parts)(const Shape *s, Arena *a, Shape *const parts[]);     /* a compound like s, of as many other parts */
+    /* A compound like s, of as many other parts: its own, moved by `moved` (NULL: not). is_inverse: they are inverted, and so
+     * is the compound to be (by De Morgan's laws; a union is then what POV-Ray makes of it, without surfaces within). */
+    Shape *(*with_parts)(const Shape *s, Arena *a, Shape *const parts[], bool is_inverse, const Xform *moved);
     void (*release)   (Shape *s);                                             /* NULL: the arenas have it all */
 } ShapeType;
 /* On a miss hit() returns false and has not touched *best. r->dir need not have length 1; t is in units of r->dir.
@@ -63,5 +70,10 @@ void shape_release(Shape *s);                  /* type->release, then the arena 
 static inline Box shape_bounds(const Shape *s) { return s->type->bounds(s); }
 bool shape_hit(const Shape *s, const Ray *r, Hit *best, Trace *t);
 bool shape_blocks(const Shape *s, const Ray *r, double t_max, Trace *t);
+static inline bool shape_inside(const Shape *s, Vec3 p) { return s->type->inside && s->type->inside(s, p); }
+static inline Box shape_inside_bounds(const Shape *s)
+{
+    return s->type->inside_bounds ? s->type->inside_bounds(s) : s->type->bounds(s);
+}
 
 #endif

@@ -2,6 +2,7 @@
 #include "render/shape_tree.h"
 
 #include "render/bvh.h"
+#include "render/hit_list.h"
 
 typedef struct {
     const Shape *shape;
@@ -82,6 +83,29 @@ bool shape_tree_hit(const ShapeTree *tree, const Ray *r, unsigned skip, Hit *bes
     for (uint32_t i = 0; i < tree->n_unbounded; i++) visit_nearest(&s, tree->unbounded[i], r, &t_max, t);
     bvh_traverse(tree->bvh, r, &t_max, visit_nearest, &s, t);
     return s.best_rank >= 0;
+}
+
+typedef struct { const ShapeTree *tree; HitList *out; } Gathering;
+
+static bool visit_all(void *context, uint32_t i, const Ray *r, double *t_max, Trace *t)
+{
+    const Gathering *g = context;
+    const Part *p = &g->tree->parts[i];
+    size_t first = g->out->n;
+    (void)t_max;
+    shape_all_hits(p->shape, r, g->out, t);
+    for (size_t k = first; k < g->out->n; k++) g->out->hits[k].index += p->first_index;
+    return false;
+}
+
+void shape_tree_all_hits(const ShapeTree *tree, const Ray *r, HitList *out, Trace *t)
+{
+    Gathering g = { tree, out };
+    size_t first = out->n;
+    double t_max = out->t_max;
+    for (uint32_t i = 0; i < tree->n_unbounded; i++) visit_all(&g, tree->unbounded[i], r, &t_max, t);
+    bvh_traverse(tree->bvh, r, &t_max, visit_all, &g, t);
+    hit_list_sort(out, first);
 }
 
 static bool visit_any(void *context, uint32_t i, const Ray *r, double *t_max, Trace *t)

@@ -15,6 +15,7 @@ ShapeTree *shape_tree_build(Arena *a, Shape *const parts[], const unsigned char 
 /* As hit() and blocks() of a shape, over the parts none of whose flags is in `skip`. Hit.index is offset by the
  * primitives of the parts before the one that was hit. */
 bool shape_tree_hit(const ShapeTree *tree, const Ray *r, unsigned skip, Hit *best, Trace *t);
+void shape_tree_all_hits(const ShapeTree *tree, const Ray *r, HitList *out, Trace *t);   /* of all parts */
 bool shape_tree_blocks(const ShapeTree *tree, const Ray *r, unsigned skip, double t_max, Trace *t);
 
 #endif

@@ -18,4 +18,13 @@ Shape *smooth_triangle_new(Arena *a, const Vec3 p[3], const Vec3 n[3]);
 /* All surfaces of its parts, in their order; the parts are borrowed and must be in their final place, the list is copied. */
 Shape *union_new(Arena *a, Shape *const parts[], uint32_t n);
 
+/* What is inside all parts; what is inside any of them, without the surfaces within. Parts as for unions. A part without an
+ * inside contributes what of its surface lies inside (of a merge: outside) all others. */
+Shape *intersection_new(Arena *a, Shape *const parts[], uint32_t n);
+Shape *merge_new(Arena *a, Shape *const parts[], uint32_t n);
+Shape *difference_new(Arena *a, Shape *const parts[], uint32_t n);   /* of the first and the inverses of the others */
+
+/* The surface of s inside all of the clips, left open where it is cut; parts and list as for unions. */
+Shape *clipped_new(Arena *a, Shape *s, Shape *const clips[], uint32_t n);
+
 #endif

@@ -9,6 +9,7 @@
  * moves the point by at most 4u|f| + 2u r across the surface. Beside the surface (|f| <= 2r) c is off by 2u|f| 3r, which is
  * 3u|f| across it; farther out c has a relative error of at most 6u, q and the division add 4u: 10u (|f| + r) along the ray.
  * 16u (|f| + r) covers the sum. */
+#include "render/hit_list.h"
 #include "render/shapes.h"
 
 typedef struct { Shape shape; Vec3 centre; double radius; } Sphere;
@@ -35,6 +36,11 @@ static bool sphere_roots(const Sphere *s, const Ray *r, Vec3 f, double root[2])
     return true;
 }
 
+static double sphere_error(const Sphere *s, const Ray *r, Vec3 f)
+{
+    return POINT_ERROR * (vec_length(f) + s->radius) / vec_length(r->dir);
+}
+
 static bool sphere_hit(const Shape *shape, const Ray *r, Hit *best, Trace *t)
 {
     const Sphere *s = (const Sphere *)shape;
@@ -44,8 +50,18 @@ static bool sphere_hit(const Shape *shape, const Ray *r, Hit *best, Trace *t)
     if (!sphere_roots(s, r, f, root)) return false;
     double t_hit = root[0] > r->t_min ? root[0] : root[1];
     if (!(t_hit > r->t_min && t_hit < best->t)) return false;
-    hit_set(best, t_hit, POINT_ERROR * (vec_length(f) + s->radius) / vec_length(r->dir), 0, 0, shape, 0);
+    hit_set(best, t_hit, sphere_error(s, r, f), 0, 0, shape, 0);
     return true;
+}
+
+static void sphere_all_hits(const Shape *shape, const Ray *r, HitList *out, Trace *t)
+{
+    const Sphere *s = (const Sphere *)shape;
+    double root[2];
+    t->counters.primitive_tests++;
+    Vec3 f = vec_sub(r->origin, s->centre);
+    if (!sphere_roots(s, r, f, root)) return;
+    for (int i = 0; i < 2; i++) hit_list_offer(out, r, root[i], sphere_error(s, r, f), shape, 0);
 }
 
 static bool sphere_inside(const Shape *shape, Vec3 p)
@@ -65,7 +81,8 @@ static void sphere_attributes(const Shape *shape, const Ray *r, const Hit *h, At
 }
 
 static const ShapeType sphere_type = {
-    .name = "sphere", .bounds = sphere_bounds, .hit = sphere_hit, .inside = sphere_inside, .attributes = sphere_attributes,
+    .name = "sphere", .bounds = sphere_bounds, .hit = sphere_hit, .all_hits = sphere_all_hits,
+    .inside = sphere_inside, .attributes = sphere_attributes,
 };
 
 Shape *sphere_new(Arena *a, Vec3 centre, double radius)

@@ -8,6 +8,7 @@
  * torus with an error of some u R^2/r, much for a thin one; so its roots are polished on g itself (or, inside a spindle
  * torus with r > R, on (h + R)^2 + y^2 - r^2, the quartic's other factor), whose own error is a few u R (R + r), and a
  * distance of that over 2r. Where g stays above that error the quartic's root was a near miss, seen as a touch. */
+#include "render/hit_list.h"
 #include "render/roots.h"
 #include "render/shapes.h"
 
@@ -68,23 +69,41 @@ static double polish(const Line *l, double x, double *distance)
  * surface. */
 static const double POINT_ERROR = 16 * 0x1p-53;
 
-static bool torus_hit(const Shape *shape, const Ray *r, Hit *best, Trace *t)
+/* The places where the ray's line meets the torus, ascending; *error gets their t_error apart from 4u |t|. */
+static int torus_roots(const Torus *s, const Ray *r, double root[4], double *error)
 {
-    const Torus *s = (const Torus *)shape;
-    t->counters.primitive_tests++;
     double size = s->major + s->minor, length = vec_length(r->dir);
     double to_centre = -vec_dot(r->origin, r->dir) / (length * length);
     Line l = { vec_scale(ray_at(r, to_centre), 1 / size), vec_scale(r->dir, 1 / length), s->major / size, s->minor / size };
     double x[4];
-    int n = quartic_roots(&l, x);
+    int n = quartic_roots(&l, x), n_kept = 0;
     for (int i = 0; i < n; i++) {
-        double distance, t_hit = to_centre + polish(&l, x[i], &distance) * size / length;
-        if (!(t_hit > r->t_min && t_hit < best->t) || distance > POINT_ERROR) continue;
-        double error = POINT_ERROR * (vec_length(r->origin) + 2 * size);
-        hit_set(best, t_hit, error / length + 4 * U * (fabs(to_centre) + t_hit), 0, 0, shape, 0);
+        double distance, t = to_centre + polish(&l, x[i], &distance) * size / length;
+        if (!(distance > POINT_ERROR)) root[n_kept++] = t;
+    }
+    *error = POINT_ERROR * (vec_length(r->origin) + 2 * size) / length + 4 * U * fabs(to_centre);
+    return n_kept;
+}
+
+static bool torus_hit(const Shape *shape, const Ray *r, Hit *best, Trace *t)
+{
+    double root[4], error;
+    t->counters.primitive_tests++;
+    int n = torus_roots((const Torus *)shape, r, root, &error);
+    for (int i = 0; i < n; i++) {
+        if (!(root[i] > r->t_min && root[i] < best->t)) continue;
+        hit_set(best, root[i], error + 4 * U * root[i], 0, 0, shape, 0);
         return true;
     }
     return false;
+}
+
+static void torus_all_hits(const Shape *shape, const Ray *r, HitList *out, Trace *t)
+{
+    double root[4], error;
+    t->counters.primitive_tests++;
+    int n = torus_roots((const Torus *)shape, r, root, &error);
+    for (int i = 0; i < n; i++) hit_list_offer(out, r, root[i], error + 4 * U * root[i], shape, 0);
 }
 
 static bool torus_inside(const Shape *shape, Vec3 p)
@@ -109,7 +128,8 @@ static void torus_attributes(const Shape *shape, const Ray *r, const Hit *h, Att
 }
 
 static const ShapeType torus_type = {
-    .name = "torus", .bounds = torus_bounds, .hit = torus_hit, .inside = torus_inside, .attributes = torus_attributes,
+    .name = "torus", .bounds = torus_bounds, .hit = torus_hit, .all_hits = torus_all_hits,
+    .inside = torus_inside, .attributes = torus_attributes,
 };
 
 Shape *torus_new(Arena *a, double major, double minor)

@@ -25,6 +25,11 @@ static bool union_hit(const Shape *shape, const Ray *r, Hit *best, Trace *t)
     return shape_tree_hit(((const Union *)shape)->tree, r, 0, best, t);
 }
 
+static void union_all_hits(const Shape *shape, const Ray *r, HitList *out, Trace *t)
+{
+    shape_tree_all_hits(((const Union *)shape)->tree, r, out, t);
+}
+
 static bool union_blocks(const Shape *shape, const Ray *r, double t_max, Trace *t)
 {
     return shape_tree_blocks(((const Union *)shape)->tree, r, 0, t_max, t);
@@ -34,8 +39,16 @@ static bool union_inside(const Shape *shape, Vec3 p)
 {
     const Union *u = (const Union *)shape;
     for (uint32_t i = 0; i < u->n; i++)
-        if (u->parts[i]->type->inside && u->parts[i]->type->inside(u->parts[i], p)) return true;
+        if (shape_inside(u->parts[i], p)) return true;
     return false;
+}
+
+static Box union_inside_bounds(const Shape *shape)
+{
+    const Union *u = (const Union *)shape;
+    Box b = box_empty();
+    for (uint32_t i = 0; i < u->n; i++) b = box_union(b, shape_inside_bounds(u->parts[i]));
+    return b;
 }
 
 static uint32_t union_parts(const Shape *shape, Shape *const **list)
@@ -44,16 +57,19 @@ static uint32_t union_parts(const Shape *shape, Shape *const **list)
     return ((const Union *)shape)->n;
 }
 
-static Shape *union_with_parts(const Shape *shape, Arena *a, Shape *const parts[])
+static Shape *union_with_parts(const Shape *shape, Arena *a, Shape *const parts[], bool is_inverse, const Xform *moved)
 {
-    return union_new(a, parts, ((const Union *)shape)->n);
+    uint32_t n = ((const Union *)shape)->n;
+    (void)moved;
+    return is_inverse ? intersection_new(a, parts, n) : union_new(a, parts, n);
 }
 
 static void union_release(Shape *shape) { ((Union *)shape)->tree = NULL; }
 
 static const ShapeType union_type = {
     .name = "union", .bounds = union_bounds, .prepare = union_prepare, .hit = union_hit, .blocks = union_blocks,
-    .inside = union_inside, .parts = union_parts, .with_parts = union_with_parts, .release = union_release,
+    .all_hits = union_all_hits, .inside = union_inside, .inside_bounds = union_inside_bounds, .parts = union_parts,
+    .with_parts = union_with_parts, .release = union_release,
 };
 
 Shape *union_new(Arena *a, Shape *const parts[], uint32_t n)

@@ -40,7 +40,7 @@ static bool visit_leaf(void *context, uint32_t i, const Ray *r, double *t_max, T
 {
     Search *search = context;
     NewtonRoot root;
-    if (!newton_may_reach(&search->tree->leaves[i], &search->ray)) return false;
+    if (!newton_may_reach(search->s, &search->tree->leaves[i], &search->ray)) return false;
     if (!solve(search, i, &root, t)) return false;
     if (!(root.t > r->t_min && root.t < *t_max)) return false;
     if (!is_kept(search->s, &search->tree->leaves[i], &root, t)) return false;

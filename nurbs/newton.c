@@ -2,9 +2,9 @@
  * (N1 . (S - o), N2 . (S - o)), which spares the origin's rounding; F_u, F_v its derivatives; J = (F_u, F_v).
  *
  * The four criteria (Yang's):
- *   1. hit: |F| < epsilon. epsilon is the rounding error of F itself (see f_rounding): no smaller one can be asked for. And as
- *      the last step of a quadratic iteration is known before it is made, a step so small that what it leaves is below that
- *      rounding is made without evaluating again (see is_last_step).
+ *   1. hit: |F| < epsilon, the rounding error of F itself (f_rounding): no smaller one can be asked for. And as the last
+ *      step of a quadratic iteration is known before it is made, a step so small that what it leaves is below that (or
+ *      below GOOD_ENOUGH) is made without evaluating again: see is_last_step. The error of t is derived from what is left.
  *   2. miss: |F| has grown since the last step. Not so when both are of the size of the rounding.
  *   3. miss: outside the domain. A step that leaves is shortened to the border, first; it is outside if the iteration, from
  *      a point on a border, wants to leave across that border again. A root on the border itself is so found from inside, with
@@ -26,8 +26,11 @@
 /* |det J| <= SINGULAR |S_u| |S_v|: the sine of the ray's angle to the surface, times that between S_u and S_v. The rounding of
  * det J is some 2^-50 |S_u| |S_v|; a step computed with this J has 10 bits at least. */
 #define SINGULAR 0x1p-40
-#define MARGIN 1.125
 #define JITTER 0.1           /* the paper's */
+
+/* A step that leaves less than this share of the leaf's size is the last, too, if that is more than the rounding: it saves the
+ * evaluation that would take a hit from 11 digits of a leaf to the last bit. t_error knows it. */
+#define GOOD_ENOUGH 0x1p-36
 
 NewtonRay newton_ray(const Ray *r)
 {
@@ -119,7 +122,7 @@ static bool is_in_spans(const Iteration *i, double u, double v)
  * that as long as the step stays within its spans. */
 static bool is_last_step(const Iteration *i)
 {
-    return remainder_after(i) < i->epsilon
+    return remainder_after(i) < fmax(i->epsilon, GOOD_ENOUGH * i->leaf->size)
         && is_in_spans(i, i->u, i->v) && is_in_spans(i, i->u + i->du, i->v + i->dv);
 }
 
@@ -165,7 +168,9 @@ static void set_root(const Iteration *i, bool with_step, NewtonRoot *out)
     out->t = depth / i->ray->length, out->t_error = error / i->ray->length;
 }
 
-bool newton_may_reach(const Leaf *leaf, const NewtonRay *ray)
+/* A point off the parallelogram |s| <= 1, |t| <= 1 of s F_u + t F_v lies beyond one of its two pairs of sides: its distance
+ * from the line through the middle along F_u exceeds area / |F_u|, or the like for F_v. */
+bool newton_may_reach(const Surface *s, const Leaf *leaf, const NewtonRay *ray)
 {
     Vec3 from_origin = vec_sub(leaf->middle.point, ray->origin);
     Vec3 half_u = vec_scale(leaf->middle.s_u, (leaf->u1 - leaf->u0) / 2);
@@ -173,9 +178,9 @@ bool newton_may_reach(const Leaf *leaf, const NewtonRay *ray)
     Vec2 F = vec2(vec_dot(ray->N1, from_origin), vec_dot(ray->N2, from_origin));
     Vec2 F_u = vec2(vec_dot(ray->N1, half_u), vec_dot(ray->N2, half_u));
     Vec2 F_v = vec2(vec_dot(ray->N1, half_v), vec_dot(ray->N2, half_v));
-    double off = leaf->bulge, area = fabs(vec2_cross(F_u, F_v));
+    double off = leaf->bulge + f_rounding(s, from_origin), area = fabs(vec2_cross(F_u, F_v));
     double to_u = fabs(vec2_cross(F, F_u)), to_v = fabs(vec2_cross(F, F_v));
-    return to_u <= area * MARGIN + off * vec2_length(F_u) && to_v <= area * MARGIN + off * vec2_length(F_v);
+    return to_u <= area + off * vec2_length(F_u) && to_v <= area + off * vec2_length(F_v);
 }
 
 NewtonOutcome newton_solve(const Surface *s, const Leaf *leaf, const NewtonRay *ray, int max_iterations, uint64_t seed,

@@ -30,10 +30,11 @@ typedef enum {
 
 /* May the ray meet the leaf? False only if it does not: its middle's tangent parallelogram, widened by what the surface may
  * bend away from it, is off the ray. */
-bool newton_may_reach(const Leaf *leaf, const NewtonRay *ray);
+bool newton_may_reach(const Surface *s, const Leaf *leaf, const NewtonRay *ray);
 
 /* Looks for a root from the middle of the leaf. The root may lie outside the leaf, but lies on the leaf's smooth stretch of the
- * domain. `seed` decides the jitter. Counts newton_iterations (evaluations) and newton_jitters. */
+ * domain. `seed` decides the jitter. Counts newton_iterations (evaluations; that of the middle was
+ * made once and for all) and newton_jitters. */
 NewtonOutcome newton_solve(const Surface *s, const Leaf *leaf, const NewtonRay *ray, int max_iterations, uint64_t seed,
                            Counters *counters, NewtonRoot *out);
 

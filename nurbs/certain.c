@@ -116,6 +116,7 @@ static bool accept_root(void *context, const Patch *p, PatchRay *ray, const Root
     }
     count->reported_hits++;
     ray->t_max = root->depth;
+    k->trace->root.leaf = p, k->trace->root.s = root->s, k->trace->root.t = root->t, k->trace->root.seed = k->trace->seed;
     k->nearest = (CertainHit){ u, v, root->depth / k->length, root->distance / k->length, k->patch };
     k->found = true;
     *k->t_max = k->nearest.t;
@@ -138,6 +139,7 @@ static bool search_patches(Search *k, const Ray *r, double t_max, Trace *t)
 {
     k->length = vec_length(r->dir);
     k->ray = patch_ray(r->origin, vec_normalize(r->dir), r->t_min * k->length, t_max * k->length);
+    if (t->root.seed == t->seed) k->ray.guess = t->root.leaf, k->ray.guess_s = t->root.s, k->ray.guess_t = t->root.t;
     bvh_traverse(k->tree->bvh, r, &t_max, visit_patch, k, t);
     return k->found;
 }

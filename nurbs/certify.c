@@ -14,12 +14,15 @@
 #include "nurbs/certify.h"
 
 #include "nurbs/clip.h"
-#include "nurbs/nurbs.h"
+#include "nurbs/patch_kernel.h"
 
 #include <float.h>
 #include <math.h>
 
 enum { MAX_STEPS = 8 };
+
+/* A step shorter than this is the last: the next error is about its square. */
+#define LAST_STEP 0x1p-26
 
 PatchRay patch_ray(Vec3 origin, Vec3 dir, double t_min, double t_max)
 {
@@ -40,92 +43,112 @@ double patch_rounding(const Patch *p, Vec3 offset)
     return 0.5 * DBL_EPSILON * n * (p->radius + fabs(offset.x) + fabs(offset.y) + fabs(offset.z));
 }
 
-typedef struct { double j11, j12, j21, j22, det; } Jacobian;
+/* The plane equations of one ray and patch, and where the iteration stands. */
+typedef struct {
+    const Patch *p;
+    PatchRay *r;
+    Vec3 o;                        /* the ray's origin about the patch's */
+    double q1, q2, rounding;
+    double s, t;                   /* the iterate */
+    PatchPoint last;               /* evaluated at (s - ds, t - dt) */
+    double ds, dt;
+    double j11, j12, j21, j22, det;
+} Solve;
 
-static Jacobian jacobian(const PatchRay *r, Vec3 a, Vec3 b)
+ALWAYS_INLINE void set_jacobian(Solve *k, Vec3 a, Vec3 b)
 {
-    Jacobian j = { vec_dot(r->n1, a), vec_dot(r->n1, b), vec_dot(r->n2, a), vec_dot(r->n2, b), 0 };
-    j.det = j.j11 * j.j22 - j.j12 * j.j21;
-    return j;
+    k->j11 = vec_dot(k->r->n1, a), k->j12 = vec_dot(k->r->n1, b);
+    k->j21 = vec_dot(k->r->n2, a), k->j22 = vec_dot(k->r->n2, b);
+    k->det = k->j11 * k->j22 - k->j12 * k->j21;
 }
 
-/* Reports the root at (s, t), where F and the derivatives were last evaluated at (s - ds, t - dt). */
-typedef struct { Vec4 value, by_s, by_t; double ds, dt; } LastStep;
+ALWAYS_INLINE double length2(double a, double b) { return sqrt(a * a + b * b); }
+ALWAYS_INLINE double clamped(double x, double lo, double hi) { return double_min(double_max(x, lo), hi); }
+ALWAYS_INLINE Vec3 xyz(V4 p) { return vec(p[0], p[1], p[2]); }
 
-static bool report(const Patch *p, PatchRay *r, Vec3 o, double s, double t, const LastStep *e, double rounding, Jacobian j,
-                   RootVisit visit, void *context)
+/* Reports the root at (s, t): the last evaluation and a step by the derivatives, whose square is lost in the rounding. */
+ALWAYS_INLINE bool report(const Solve *k, RootVisit visit, void *context)
 {
-    double w = e->value.w + e->by_s.w * e->ds + e->by_t.w * e->dt;
-    Vec3 h = vec(e->value.x + e->by_s.x * e->ds + e->by_t.x * e->dt, e->value.y + e->by_s.y * e->ds + e->by_t.y * e->dt,
-                 e->value.z + e->by_s.z * e->ds + e->by_t.z * e->dt);
-    double depth = vec_dot(r->d, vec_sub(vec_scale(h, 1 / w), o));
-    if (!(depth > r->t_min && depth < r->t_max)) return false;
-    Vec3 d_s = vec(e->by_s.x, e->by_s.y, e->by_s.z), d_t = vec(e->by_t.x, e->by_t.y, e->by_t.z);
+    V4 h = k->last.value + k->last.by_s * k->ds + k->last.by_t * k->dt;
+    double depth = vec_dot(k->r->d, vec_sub(vec_scale(xyz(h), 1 / h[3]), k->o));
+    if (!(depth > k->r->t_min && depth < k->r->t_max)) return false;
     /* |J^-1| times the rounding, times how fast the depth changes along the surface */
-    double slope = fabs(vec_dot(r->d, d_s)) * hypot(j.j12, j.j22) + fabs(vec_dot(r->d, d_t)) * hypot(j.j11, j.j21);
-    Root root = { .s = double_min(double_max(s, 0), 1), .t = double_min(double_max(t, 0), 1), .depth = depth, .distance = 2 * rounding,
-                  .depth_error = rounding * (1 + slope / fabs(j.det)) };
-    return visit(context, p, r, &root);
+    double slope = fabs(vec_dot(k->r->d, xyz(k->last.by_s))) * length2(k->j12, k->j22)
+                 + fabs(vec_dot(k->r->d, xyz(k->last.by_t))) * length2(k->j11, k->j21);
+    Root root = { .s = clamped(k->s, 0, 1), .t = clamped(k->t, 0, 1), .depth = depth, .distance = 2 * k->rounding,
+                  .depth_error = k->rounding * (1 + slope / fabs(k->det)) };
+    return visit(context, k->p, k->r, &root);
 }
 
 typedef enum { NEWTON_INSIDE, NEWTON_OUTSIDE, NEWTON_UNDECIDED } NewtonResult;
 
-/* From (*s, *t) to the root of F in the patch with its margin, if there is one. */
-static NewtonResult newton(const Patch *p, const PatchRay *r, Vec3 o, double rounding, double *s, double *t, LastStep *e,
-                           Jacobian *j, Trace *trace)
+/* A converged iterate: on the patch, as far as rounding can tell, which can move the root by |J^-1| times itself? */
+ALWAYS_INLINE NewtonResult place_of_root(const Solve *k)
 {
-    double q1 = vec_dot(r->n1, o), q2 = vec_dot(r->n2, o);
+    const double lo = -PATCH_MARGIN, hi = 1 + PATCH_MARGIN;
+    if (k->s >= 0 && k->s <= 1 && k->t >= 0 && k->t <= 1) return NEWTON_INSIDE;
+    if (!(k->s > lo && k->s < hi && k->t > lo && k->t < hi)) return NEWTON_UNDECIDED;
+    double moved = k->rounding * k->last.value[3] / fabs(k->det);
+    double slack_s = moved * length2(k->j12, k->j22) + DBL_EPSILON, slack_t = moved * length2(k->j11, k->j21) + DBL_EPSILON;
+    bool is_in = k->s >= -slack_s && k->s <= 1 + slack_s && k->t >= -slack_t && k->t <= 1 + slack_t;
+    return is_in ? NEWTON_INSIDE : NEWTON_OUTSIDE;
+}
+
+/* From (s, t) to the root of F in the patch with its margin, if there is one. */
+ALWAYS_INLINE NewtonResult newton(Solve *k, Trace *trace)
+{
     const double lo = -PATCH_MARGIN, hi = 1 + PATCH_MARGIN;
     for (int step = 0; step < MAX_STEPS; step++) {
         trace->counters.newton_iterations++;
-        patch_evaluate(p, *s, *t, &e->value, &e->by_s, &e->by_t);
-        *j = jacobian(r, vec(e->by_s.x, e->by_s.y, e->by_s.z), vec(e->by_t.x, e->by_t.y, e->by_t.z));
-        if (!p->is_polynomial) {
-            j->j11 -= e->by_s.w * q1, j->j21 -= e->by_s.w * q2;
-            j->j12 -= e->by_t.w * q1, j->j22 -= e->by_t.w * q2;
-            j->det = j->j11 * j->j22 - j->j12 * j->j21;
-        }
-        Vec3 h = vec(e->value.x, e->value.y, e->value.z);
-        double f1 = vec_dot(r->n1, h) - e->value.w * q1, f2 = vec_dot(r->n2, h) - e->value.w * q2;
-        double ds = (j->j12 * f2 - j->j22 * f1) / j->det, dt = (j->j21 * f1 - j->j11 * f2) / j->det;
-        double s_new = double_min(double_max(*s + ds, lo), hi), t_new = double_min(double_max(*t + dt, lo), hi);
-        e->ds = s_new - *s, e->dt = t_new - *t;
-        *s = s_new, *t = t_new;
-        if (!(fabs(ds) < 0x1p-26 && fabs(dt) < 0x1p-26)) continue;   /* the next error is about the square of this step */
-        if (s_new == lo || s_new == hi || t_new == lo || t_new == hi) return NEWTON_UNDECIDED;
-        /* how far rounding can move the root: |J^-1| times it */
-        double slack_s = rounding * e->value.w * hypot(j->j12, j->j22) / fabs(j->det) + DBL_EPSILON;
-        double slack_t = rounding * e->value.w * hypot(j->j11, j->j21) / fabs(j->det) + DBL_EPSILON;
-        bool in = *s >= -slack_s && *s <= 1 + slack_s && *t >= -slack_t && *t <= 1 + slack_t;
-        return in ? NEWTON_INSIDE : NEWTON_OUTSIDE;
+        k->last = kernel_evaluate(k->p, k->s, k->t);
+        double w = k->last.value[3], w_s = k->last.by_s[3], w_t = k->last.by_t[3];
+        Vec3 h = xyz(k->last.value), at = vec_scale(k->o, w);
+        set_jacobian(k, vec_sub(xyz(k->last.by_s), vec_scale(k->o, w_s)), vec_sub(xyz(k->last.by_t), vec_scale(k->o, w_t)));
+        double f1 = vec_dot(k->r->n1, vec_sub(h, at)), f2 = vec_dot(k->r->n2, vec_sub(h, at)), scale = 1 / k->det;
+        double ds = (k->j12 * f2 - k->j22 * f1) * scale, dt = (k->j21 * f1 - k->j11 * f2) * scale;
+        double s = clamped(k->s + ds, lo, hi), t = clamped(k->t + dt, lo, hi);
+        k->ds = s - k->s, k->dt = t - k->t, k->s = s, k->t = t;
+        if (fabs(ds) < LAST_STEP && fabs(dt) < LAST_STEP) return place_of_root(k);
     }
     return NEWTON_UNDECIDED;
 }
 
+typedef enum { FRAME_MISS, FRAME_ONE_AT_MOST, FRAME_UNDECIDED } FrameResult;
+
+/* What the frame says; sets s and t to the parallelogram's root, within the margin. */
+ALWAYS_INLINE FrameResult frame_test(Solve *k)
+{
+    const Patch *p = k->p;
+    if (!p->has_frame) return FRAME_UNDECIDED;
+    set_jacobian(k, p->e_u, p->e_v);
+    double det = fabs(k->det), slack = p->deviation + k->rounding;
+    double x_s = k->q1 * k->j22 - k->q2 * k->j12, x_t = k->q2 * k->j11 - k->q1 * k->j21;   /* times det */
+    double column_v2 = k->j12 * k->j12 + k->j22 * k->j22, column_u2 = k->j11 * k->j11 + k->j21 * k->j21;   /* at most 1 */
+    if (fabs(x_s) > p->half_u * det + sqrt(column_v2) * slack) return FRAME_MISS;
+    if (fabs(x_t) > p->half_v * det + sqrt(column_u2) * slack) return FRAME_MISS;
+    if (!((column_u2 + column_v2) * p->variation * p->variation < 0.98 * det * det)) return FRAME_UNDECIDED;
+    const double lo = -PATCH_MARGIN, hi = 1 + PATCH_MARGIN;
+    k->s = clamped(0.5 + 0.5 * x_s / (k->det * p->half_u), lo, hi);
+    k->t = clamped(0.5 + 0.5 * x_t / (k->det * p->half_v), lo, hi);
+    return FRAME_ONE_AT_MOST;
+}
+
+EVERY_X86
 bool patch_roots(const Patch *p, PatchRay *r, RootVisit visit, void *context, Trace *trace)
 {
-    Vec3 o = vec_sub(r->origin, p->origin);
-    double q1 = vec_dot(r->n1, o), q2 = vec_dot(r->n2, o), depth = -vec_dot(r->d, o);
-    double rounding = patch_rounding(p, o), reach = p->radius + rounding;
-    if (q1 * q1 + q2 * q2 > reach * reach) return false;
+    Solve k = { .p = p, .r = r, .o = vec_sub(r->origin, p->origin) };
+    k.q1 = vec_dot(r->n1, k.o), k.q2 = vec_dot(r->n2, k.o), k.rounding = patch_rounding(p, k.o);
+    double depth = -vec_dot(r->d, k.o), reach = p->radius + k.rounding;
+    if (k.q1 * k.q1 + k.q2 * k.q2 > reach * reach) return false;
     if (depth - reach > r->t_max || depth + reach < r->t_min) return false;
-    if (!p->has_frame) return clip_roots(p, r, visit, context, trace);
-
-    Jacobian j = jacobian(r, p->e_u, p->e_v);
-    double det = fabs(j.det), slack = p->deviation + rounding;
-    double x_s = q1 * j.j22 - q2 * j.j12, x_t = q2 * j.j11 - q1 * j.j21;   /* times det */
-    double norm_s2 = j.j12 * j.j12 + j.j22 * j.j22, norm_t2 = j.j11 * j.j11 + j.j21 * j.j21;   /* at most 1 */
-    double row_s = sqrt(norm_s2), row_t = sqrt(norm_t2);
-    if (fabs(x_s) > p->half_u * det + row_s * slack || fabs(x_t) > p->half_v * det + row_t * slack) return false;
-    if (!((norm_s2 + norm_t2) * p->variation * p->variation < 0.98 * j.det * j.det)) return clip_roots(p, r, visit, context, trace);
-    trace->counters.certificates++;
-
-    const double lo = -PATCH_MARGIN, hi = 1 + PATCH_MARGIN;
-    double s = double_min(double_max(0.5 + 0.5 * x_s / (j.det * p->half_u), lo), hi);
-    double t = double_min(double_max(0.5 + 0.5 * x_t / (j.det * p->half_v), lo), hi);
-    LastStep e;
-    switch (newton(p, r, o, rounding, &s, &t, &e, &j, trace)) {
-    case NEWTON_INSIDE: return report(p, r, o, s, t, &e, rounding, j, visit, context);
+    switch (frame_test(&k)) {
+    case FRAME_MISS: return false;
+    case FRAME_UNDECIDED: return clip_roots(p, r, visit, context, trace);
+    case FRAME_ONE_AT_MOST: trace->counters.certificates++; break;
+    }
+    if (r->guess == p) k.s = r->guess_s, k.t = r->guess_t;
+    switch (newton(&k, trace)) {
+    case NEWTON_INSIDE: return report(&k, visit, context);
     case NEWTON_OUTSIDE: return false;
     case NEWTON_UNDECIDED: break;
     }

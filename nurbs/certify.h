@@ -15,6 +15,8 @@ typedef struct {
     Vec3 origin, d;          /* d: unit */
     Vec3 n1, n2;             /* unit, perpendicular to d and to each other */
     double t_min, t_max;     /* along d; t_max shrinks as roots are accepted */
+    const Patch *guess;      /* on this patch start from (guess_s, guess_t): the ray comes from there. NULL: none */
+    double guess_s, guess_t;
 } PatchRay;
 
 PatchRay patch_ray(Vec3 origin, Vec3 dir, double t_min, double t_max);

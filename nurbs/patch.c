@@ -6,7 +6,7 @@
  * variation   bounds how far the Jacobian of a ray's two plane equations moves from the one at the middle (see certify.c). */
 #include "nurbs/patch.h"
 
-#include "nurbs/nurbs.h"
+#include "nurbs/patch_kernel.h"
 
 #include <float.h>
 #include <math.h>
@@ -14,18 +14,11 @@
 void bernstein(int k, double x, double b[], double d[])
 {
     double y = 1 - x;
-    if (k == 4) {   /* the common case, spelled out */
-        double xx = x * x, yy = y * y;
-        b[0] = yy * y, b[1] = 3 * x * yy, b[2] = 3 * xx * y, b[3] = xx * x;
-        d[0] = -3 * yy, d[1] = 3 * (yy - 2 * x * y), d[2] = 3 * (2 * x * y - xx), d[3] = 3 * xx;
-        return;
-    }
-    b[0] = 1;
+    b[0] = 1, d[0] = 0;
     for (int n = 1; n < k; n++) {   /* from order n to order n + 1 */
-        if (n == k - 1) {           /* the derivative comes from the order below */
+        if (n == k - 1)             /* the derivative comes from the order below */
             for (int i = 0; i < k; i++)
                 d[i] = (k - 1) * ((i > 0 ? b[i - 1] : 0) - (i < k - 1 ? b[i] : 0));
-        }
         double carried = 0;
         for (int i = 0; i < n; i++) {
             double old = b[i];
@@ -34,27 +27,13 @@ void bernstein(int k, double x, double b[], double d[])
         }
         b[n] = carried;
     }
-    if (k == 1) d[0] = 0;
 }
 
+EVERY_X86
 void patch_evaluate(const Patch *p, double s, double t, Vec4 *value, Vec4 *by_s, Vec4 *by_t)
 {
-    double bu[NURBS_MAX_ORDER], du[NURBS_MAX_ORDER], bv[NURBS_MAX_ORDER], dv[NURBS_MAX_ORDER];
-    bernstein(p->k_u, s, bu, du);
-    bernstein(p->k_v, t, bv, dv);
-    Vec4 sum = { 0 }, sum_s = { 0 }, sum_t = { 0 };
-    const Vec4 *row = p->p;
-    for (int j = 0; j < p->k_v; j++, row += p->k_u) {
-        Vec4 r = { 0 }, r_s = { 0 };
-        for (int i = 0; i < p->k_u; i++) {
-            r = vec4_add(r, vec4_scale(row[i], bu[i]));
-            r_s = vec4_add(r_s, vec4_scale(row[i], du[i]));
-        }
-        sum = vec4_add(sum, vec4_scale(r, bv[j]));
-        sum_s = vec4_add(sum_s, vec4_scale(r_s, bv[j]));
-        sum_t = vec4_add(sum_t, vec4_scale(r, dv[j]));
-    }
-    *value = sum, *by_s = sum_s, *by_t = sum_t;
+    PatchPoint at = kernel_evaluate(p, s, t);
+    v4_store(value, at.value), v4_store(by_s, at.by_s), v4_store(by_t, at.by_t);
 }
 
 static Vec3 xyz(Vec4 p) { return vec(p.x, p.y, p.z); }

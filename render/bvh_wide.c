@@ -9,18 +9,14 @@
  * added to it. Components under 2^-60 count as that: the slab is then met earlier and left later than any t in the tree. */
 #include "render/bvh_wide.h"
 
+#include "render/simd.h"
+
 #include <string.h>
 
 #define WIDTH 8
 #define IS_ITEM 0x80000000u
 #define STACK_SIZE (64 * (WIDTH - 1) + WIDTH)     /* the binary tree is at most 64 deep, and collapsing makes no tree deeper */
 #define TINY 0x1p-60
-
-#if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define EVERY_X86 __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
-#else
-#define EVERY_X86
-#endif
 
 typedef struct {
     float side[2][3][WIDTH];       /* lo and hi by axis; children that do not exist: lo +inf, hi -inf */

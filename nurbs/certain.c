@@ -9,83 +9,127 @@
 #include <string.h>
 
 /* A patch is halved until its derivatives vary by less than this share of themselves: then the certificate holds for all rays
- * but those within some asin(0.25) of its tangent planes. Halving divides the variation by about two. */
-#define VARIATION_WANTED 0.25
+ * but those within some asin(0.35) of its tangent planes. Halving divides the variation by about two. */
+#define VARIATION_WANTED 0.35
 /* What bends forever (a pole, a cusp) is left to clip.c, which refines along the ray alone. */
 #define MAX_HALVINGS 8
 
 /* ---- preparation ---- */
 
+/* The tree of boxes is the tree of halvings itself, below a halving of the grid of spans: neighbours in the parameters are
+ * neighbours in space, and nothing has to be sorted. */
 typedef struct {
     const Surface *s;
-    Arena *own, *scratch;
+    Arena *own, *lists;
     Patch *patches;
     bool *needs_trim_test;
-    Box *boxes;
-    size_t n_patches, n_flags, n_boxes, patches_capacity, flags_capacity, boxes_capacity;
+    BvhNode *nodes;
+    size_t n_patches, n_flags, n_nodes, patches_capacity, flags_capacity, nodes_capacity;
     uint32_t n_cut, n_untested;
+    const int *spans_u, *spans_v;    /* indices of the non-empty spans */
 } Preparation;
 
-static void keep_patch(Preparation *k, const Vec4 *points, TrimRect r, bool is_mixed)
+/* Room for two nodes side by side; the index of the first. */
+static uint32_t new_pair(Preparation *k)
+{
+    for (int i = 0; i < 2; i++)
+        ARENA_PUSH(k->lists, k->nodes, k->n_nodes, k->nodes_capacity) = (BvhNode){ .box = box_empty() };
+    return (uint32_t)k->n_nodes - 2;
+}
+
+/* Makes node `at` of the pair's trees, whichever are there. */
+static bool join_pair(Preparation *k, uint32_t at, uint32_t pair, bool has_first, bool has_second)
+{
+    BvhNode *n = k->nodes;
+    if (has_first && has_second) n[at] = (BvhNode){ box_union(n[pair].box, n[pair + 1].box), pair, 0 };
+    else if (has_first || has_second) n[at] = n[has_first ? pair : pair + 1];
+    return has_first || has_second;
+}
+
+static void keep_patch(Preparation *k, uint32_t at, const Vec4 *points, TrimRect r, bool is_mixed)
 {
     const Surface *s = k->s;
     Patch p;
     patch_make(k->own, s->k_u, s->k_v, points, r.u0, r.u1, r.v0, r.v1, &p);
     k->n_untested += s->trims && !is_mixed;
-    Box box = bezier_hull(s->k_u * s->k_v, points);
-    ARENA_PUSH(k->scratch, k->patches, k->n_patches, k->patches_capacity) = p;
-    ARENA_PUSH(k->scratch, k->needs_trim_test, k->n_flags, k->flags_capacity) = is_mixed;
-    ARENA_PUSH(k->scratch, k->boxes, k->n_boxes, k->boxes_capacity) = box_expand(box, s->rounding);
+    k->nodes[at] = (BvhNode){ box_expand(bezier_hull(s->k_u * s->k_v, points), s->rounding), (uint32_t)k->n_patches, 1 };
+    ARENA_PUSH(k->lists, k->patches, k->n_patches, k->patches_capacity) = p;
+    ARENA_PUSH(k->lists, k->needs_trim_test, k->n_flags, k->flags_capacity) = is_mixed;
 }
 
-/* Cuts the points over an interval until each part is worth a frame; `points` is used up. */
-static void cut_patch(Preparation *k, Vec4 *points, TrimRect r, int halvings_u, int halvings_v)
+typedef struct { int u, v; } Halvings;
+
+/* Cuts the points over an interval until each part is worth a frame, below node `at`; `points` is used up. Returns whether
+ * anything of it is kept. */
+static bool grow_patch(Preparation *k, uint32_t at, Vec4 *points, TrimRect r, Halvings left)
 {
     const Surface *s = k->s;
     TrimClass class = s->trims ? trim_class(s->trims, r) : TRIM_KEPT;
-    if (class == TRIM_CUT) {
-        k->n_cut++;
-        return;
-    }
+    k->n_cut += class == TRIM_CUT;
+    if (class == TRIM_CUT) return false;
     PatchBend bend = patch_bend(s->k_u, s->k_v, points);
-    bool can_u = halvings_u > 0, can_v = halvings_v > 0, along_u = bend.along_u >= bend.along_v ? can_u : !can_v;
-    if (bend.variation <= VARIATION_WANTED || (!can_u && !can_v)) {
-        keep_patch(k, points, r, class == TRIM_MIXED);
-        return;
+    bool along_u = bend.along_u >= bend.along_v ? left.u > 0 : left.v == 0;
+    if (!(bend.variation > VARIATION_WANTED) || (left.u == 0 && left.v == 0)) {
+        keep_patch(k, at, points, r, class == TRIM_MIXED);
+        return true;
     }
-    Vec4 left[NURBS_MAX_ORDER * NURBS_MAX_ORDER];
+    Vec4 first[NURBS_MAX_ORDER * NURBS_MAX_ORDER];
     TrimRect a = r, b = r;
     if (along_u) {
-        a.u1 = b.u0 = r.u0 + 0.5 * (r.u1 - r.u0);
-        for (int j = 0; j < s->k_v; j++) bezier_cut(s->k_u, 1, 0.5, points + j * s->k_u, left + j * s->k_u);
+        a.u1 = b.u0 = r.u0 + 0.5 * (r.u1 - r.u0), left.u--;
+        for (int j = 0; j < s->k_v; j++) bezier_cut(s->k_u, 1, 0.5, points + j * s->k_u, first + j * s->k_u);
     } else {
-        a.v1 = b.v0 = r.v0 + 0.5 * (r.v1 - r.v0);
-        bezier_cut(s->k_v, s->k_u, 0.5, points, left);
+        a.v1 = b.v0 = r.v0 + 0.5 * (r.v1 - r.v0), left.v--;
+        bezier_cut(s->k_v, s->k_u, 0.5, points, first);
     }
-    cut_patch(k, left, a, halvings_u - along_u, halvings_v - !along_u);
-    cut_patch(k, points, b, halvings_u - along_u, halvings_v - !along_u);
+    uint32_t pair = new_pair(k);
+    bool has_a = grow_patch(k, pair, first, a, left), has_b = grow_patch(k, pair + 1, points, b, left);
+    return join_pair(k, at, pair, has_a, has_b);
 }
 
-void certain_prepare(Arena *a, Arena *scratch, const Surface *s, PatchTree *out)
+typedef struct { int u0, u1, v0, v1; } SpanRange;    /* of spans_u, spans_v */
+
+static bool grow_spans(Preparation *k, uint32_t at, SpanRange r)
 {
-    ArenaMark mark = arena_mark(scratch);
-    Arena *lists = arena_new();
-    Preparation k = { .s = s, .own = a, .scratch = lists };
-    Vec4 points[NURBS_MAX_ORDER * NURBS_MAX_ORDER];
-    for (int j = s->k_v - 1; j < s->n_v; j++)
-        for (int i = s->k_u - 1; i < s->n_u; i++) {
-            if (!knots_is_span(s->tau_u, i) || !knots_is_span(s->tau_v, j)) continue;
-            prepare_close_span(s, i, j, points);
-            TrimRect r = { s->tau_u[i], s->tau_u[i + 1], s->tau_v[j], s->tau_v[j + 1] };
-            cut_patch(&k, points, r, MAX_HALVINGS, MAX_HALVINGS);
-        }
+    const Surface *s = k->s;
+    if (r.u1 - r.u0 == 1 && r.v1 - r.v0 == 1) {
+        int i = k->spans_u[r.u0], j = k->spans_v[r.v0];
+        Vec4 points[NURBS_MAX_ORDER * NURBS_MAX_ORDER];
+        prepare_close_span(s, i, j, points);
+        TrimRect rect = { s->tau_u[i], s->tau_u[i + 1], s->tau_v[j], s->tau_v[j + 1] };
+        return grow_patch(k, at, points, rect, (Halvings){ MAX_HALVINGS, MAX_HALVINGS });
+    }
+    SpanRange a = r, b = r;
+    if (r.u1 - r.u0 >= r.v1 - r.v0) a.u1 = b.u0 = r.u0 + (r.u1 - r.u0) / 2;
+    else a.v1 = b.v0 = r.v0 + (r.v1 - r.v0) / 2;
+    uint32_t pair = new_pair(k);
+    bool has_a = grow_spans(k, pair, a), has_b = grow_spans(k, pair + 1, b);
+    return join_pair(k, at, pair, has_a, has_b);
+}
+
+static int *list_spans(Arena *a, int k, int n, const double *tau, int *n_spans)
+{
+    int *list = ARENA_ARRAY(a, int, n);
+    *n_spans = 0;
+    for (int i = k - 1; i < n; i++)
+        if (knots_is_span(tau, i)) list[(*n_spans)++] = i;
+    return list;
+}
+
+void certain_prepare(Arena *a, const Surface *s, PatchTree *out)
+{
+    Preparation k = { .s = s, .own = a, .lists = arena_new() };
+    SpanRange all = { 0 };
+    k.spans_u = list_spans(k.lists, s->k_u, s->n_u, s->tau_u, &all.u1);
+    k.spans_v = list_spans(k.lists, s->k_v, s->n_v, s->tau_v, &all.v1);
+    uint32_t root = new_pair(&k);
+    bool has_any = grow_spans(&k, root, all);
     *out = (PatchTree){ .patches = arena_copy(a, k.patches, k.n_patches, sizeof *k.patches),
                         .needs_trim_test = arena_copy(a, k.needs_trim_test, k.n_flags, sizeof *k.needs_trim_test),
                         .n_patches = (uint32_t)k.n_patches,
-                        .bvh = bvh_build(a, k.boxes, (uint32_t)k.n_patches, BVH_SAH),
+                        .bvh = bvh_from_tree(a, k.nodes, has_any ? (uint32_t)k.n_nodes : 0),
                         .n_cut = k.n_cut, .n_untested = k.n_untested };
-    arena_free(lists);
-    arena_reset(scratch, mark);
+    arena_free(k.lists);
 }
 
 /* ---- search ---- */

@@ -15,8 +15,8 @@ typedef struct {
 } PatchTree;
 
 /* Cuts the surface into patches whose frames settle most rays, drops those that are trimmed away, and builds the tree. The
- * result lies in `a`; `scratch` is left as it was. Linear in the number of spans. */
-void certain_prepare(Arena *a, Arena *scratch, const Surface *s, PatchTree *out);
+ * result lies in `a`. Linear in the number of spans. */
+void certain_prepare(Arena *a, const Surface *s, PatchTree *out);
 
 typedef struct {
     double u, v;                     /* parameters of the surface */

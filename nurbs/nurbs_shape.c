@@ -2,6 +2,7 @@
 #include "nurbs/certain.h"
 #include "nurbs/intersect.h"
 #include "nurbs/prepare.h"
+#include "nurbs/tessellate.h"
 #include "render/shape.h"
 
 typedef struct {
@@ -22,13 +23,20 @@ static void attributes_at(const NurbsShape *n, const Hit *h, Vec3 normal, Attrib
     out->uv = vec2((h->u - s->u0) / (s->u1 - s->u0), (h->v - s->v0) / (s->v1 - s->v0));
 }
 
+static bool nurbs_tessellate(const Shape *s, double chord_error, MeshSink *out)
+{
+    tessellate_surface(((const NurbsShape *)s)->surface, chord_error, out);
+    return true;
+}
+
 /* ---- method certain ---- */
 
 static void certain_shape_prepare(Shape *s, Arena *own, Trace *t)
 {
     NurbsShape *n = (NurbsShape *)s;
     double begin = stats_now();
-    certain_prepare(own, t->scratch, n->surface, &n->patches);
+    (void)t;
+    certain_prepare(own, n->surface, &n->patches);
     n->prep_seconds = stats_now() - begin;
 }
 
@@ -56,7 +64,7 @@ static void certain_shape_attributes(const Shape *s, const Ray *r, const Hit *h,
 
 static const ShapeType certain_type = {
     .name = "trimmed_nurbs", .bounds = nurbs_bounds, .prepare = certain_shape_prepare, .hit = certain_shape_hit,
-    .blocks = certain_shape_blocks, .attributes = certain_shape_attributes
+    .blocks = certain_shape_blocks, .attributes = certain_shape_attributes, .tessellate = nurbs_tessellate,
 };
 
 /* ---- method paper ---- */
@@ -93,7 +101,7 @@ static void paper_attributes(const Shape *s, const Ray *r, const Hit *h, Attribu
 
 static const ShapeType paper_type = {
     .name = "trimmed_nurbs", .bounds = nurbs_bounds, .prepare = paper_prepare, .hit = paper_hit, .blocks = paper_blocks,
-    .attributes = paper_attributes
+    .attributes = paper_attributes, .tessellate = nurbs_tessellate,
 };
 
 static bool is_nurbs(const Shape *s) { return s->type == &certain_type || s->type == &paper_type; }

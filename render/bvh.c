@@ -225,6 +225,16 @@ Bvh *bvh_build(Arena *a, const Box *boxes, uint32_t n, BvhSplit split)
     return out;
 }
 
+Bvh *bvh_from_tree(Arena *a, const BvhNode *nodes, uint32_t n_nodes)
+{
+    Bvh *out = ARENA_NEW(a, Bvh);
+    out->bounds = n_nodes > 0 ? nodes[0].box : box_empty();
+    if (n_nodes == 0) return out;
+    out->wide = bvh_wide_build(a, nodes, NULL);
+    out->n_nodes = bvh_wide_node_count(out->wide);
+    return out;
+}
+
 Box bvh_bounds(const Bvh *b) { return b->bounds; }
 uint32_t bvh_node_count(const Bvh *b) { return b->n_nodes; }
 

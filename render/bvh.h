@@ -18,6 +18,15 @@ typedef struct Bvh Bvh;
 /* Builds a tree over n boxes (n may be 0; empty boxes are left out), deterministically. Infinite boxes are not allowed:
  * keep unbounded things outside. Leaves hold one box. */
 Bvh *bvh_build(Arena *a, const Box *boxes, uint32_t n, BvhSplit split);
+
+/* The same from a tree that is there already: a node is inner (n_items 0; its two children are `first` and first + 1) or holds
+ * item `first` (n_items 1). Node 0 is the root; nodes that cannot be reached from it are allowed. */
+typedef struct {
+    Box box;
+    uint32_t first, n_items;
+} BvhNode;
+Bvh *bvh_from_tree(Arena *a, const BvhNode *nodes, uint32_t n_nodes);
+
 Box bvh_bounds(const Bvh *b);
 uint32_t bvh_node_count(const Bvh *b);
 

@@ -73,7 +73,7 @@ static uint32_t collapse(Collapse *c, uint32_t from)
     ARENA_PUSH(c->arena, c->wide, c->n_wide, c->capacity) = w;
     for (uint32_t i = 0; i < n; i++) {
         const BvhNode *node = &c->nodes[list[i]];
-        uint32_t child = node->n_items ? IS_ITEM | c->items[node->first] : collapse(c, list[i]);
+        uint32_t child = node->n_items ? IS_ITEM | (c->items ? c->items[node->first] : node->first) : collapse(c, list[i]);
         c->wide[at].child[i] = child;
     }
     return at;

@@ -104,9 +104,9 @@ static Largest largest_derivative(int k_u, int k_v, const Vec4 *q, int a, int b)
 }
 
 /* About a point c of the hull the patch is S - c = Q / w, Q = sum B w_i (P_i - c), |S - c| <= radius. The quotient rule gives
- * w S_u = Q_u - w_u (S - c), w S_uu = Q_uu - 2 w_u S_u - w_uu (S - c), w S_uv = Q_uv - w_u S_v - w_v S_u - w_uv (S - c), and
- * Taylor half of |S_uu| + 2 |S_uv| + |S_vv|. With equal weights all but the first terms are 0. */
-double bezier_bend(int k_u, int k_v, const Vec4 patch[])
+ * w S_u = Q_u - w_u (S - c), w S_uu = Q_uu - 2 w_u S_u - w_uu (S - c), w S_uv = Q_uv - w_u S_v - w_v S_u - w_uv (S - c).
+ * With equal weights all but the first terms are 0. */
+BezierSeconds bezier_seconds(int k_u, int k_v, const Vec4 patch[])
 {
     Vec4 q[NURBS_MAX_ORDER * NURBS_MAX_ORDER];
     Vec3 c = vec4_project(patch[0]);
@@ -123,5 +123,12 @@ double bezier_bend(int k_u, int k_v, const Vec4 patch[])
     double s_uu = (uu.point + 2 * u.weight * s_u + uu.weight * radius) / w;
     double s_vv = (vv.point + 2 * v.weight * s_v + vv.weight * radius) / w;
     double s_uv = (uv.point + u.weight * s_v + v.weight * s_u + uv.weight * radius) / w;
-    return (s_uu + 2 * s_uv + s_vv) / 2;
+    return (BezierSeconds){ s_uu, s_uv, s_vv };
+}
+
+/* Taylor. */
+double bezier_bend(int k_u, int k_v, const Vec4 patch[])
+{
+    BezierSeconds s = bezier_seconds(k_u, k_v, patch);
+    return (s.ss + 2 * s.st + s.tt) / 2;
 }

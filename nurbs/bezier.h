@@ -23,6 +23,10 @@ void bezier_restrict(int k, int width, double s0, double s1, Vec4 p[]);
 /* The point at s of a single curve (width 1). */
 Vec4 bezier_point(int k, const Vec4 p[], double s);
 
+/* Bounds of |S_ss|, |S_st| and |S_tt| over the unit square. */
+typedef struct { double ss, st, tt; } BezierSeconds;
+BezierSeconds bezier_seconds(int k_u, int k_v, const Vec4 patch[]);
+
 /* How far a patch is from its tangent plane's map: for points x and x + d of the unit square,
  * |S(x + d) - S(x) - S_s(x) d_s - S_t(x) d_t| <= bend max(|d_s|, |d_t|)^2. */
 double bezier_bend(int k_u, int k_v, const Vec4 patch[]);

@@ -5,8 +5,7 @@
 #include "nurbs/knots.h"
 #include "nurbs/prepare.h"
 
-#include <float.h>
-#include <string.h>
+#include <stdlib.h>
 
 /* A patch is halved until its derivatives vary by less than this share of themselves: then the certificate holds for all rays
  * but those within some asin(0.35) of its tangent planes. Halving divides the variation by about two. */
@@ -134,7 +133,8 @@ void certain_prepare(Arena *a, const Surface *s, PatchTree *out)
 
 /* ---- search ---- */
 
-typedef struct {
+typedef struct Search Search;
+struct Search {
     const Surface *s;
     const PatchTree *tree;
     PatchRay ray;
@@ -142,15 +142,19 @@ typedef struct {
     double length;            /* of that direction */
     uint32_t patch;           /* being solved */
     Trace *trace;
-    bool wants_any, found;
+    bool (*take)(Search *k, const Root *root, const CertainHit *hit);   /* a root that no trim cuts away; true: enough */
+    bool found;
     CertainHit nearest;
-} Search;
+    CertainList *all;         /* filled while the solver resets the scratch arena: */
+    Arena *overflow;          /* what its first room does not hold */
+};
 
 static double lerp(double a, double b, double x) { return x >= 1 ? b : a + x * (b - a); }
 
 static bool accept_root(void *context, const Patch *p, PatchRay *ray, const Root *root)
 {
     Search *k = context;
+    (void)ray;
     Counters *count = &k->trace->counters;
     count->nurbs_hits++;
     double u = lerp(p->u0, p->u1, root->s), v = lerp(p->v0, p->v1, root->t);
@@ -159,12 +163,25 @@ static bool accept_root(void *context, const Patch *p, PatchRay *ray, const Root
         if (!trim_keeps(k->s->trims, u, v)) return false;
     }
     count->reported_hits++;
-    ray->t_max = root->depth;
-    k->trace->root.leaf = p, k->trace->root.s = root->s, k->trace->root.t = root->t, k->trace->root.seed = k->trace->seed;
-    k->nearest = (CertainHit){ u, v, root->depth / k->length, root->distance / k->length, k->patch };
     k->found = true;
-    *k->t_max = k->nearest.t;
-    return k->wants_any;
+    CertainHit hit = { u, v, root->depth / k->length, root->distance / k->length, root->depth_error / k->length, k->patch };
+    return k->take(k, root, &hit);
+}
+
+static bool take_any(Search *k, const Root *root, const CertainHit *hit)
+{
+    (void)k, (void)root, (void)hit;
+    return true;
+}
+
+static bool take_nearest(Search *k, const Root *root, const CertainHit *hit)
+{
+    Trace *t = k->trace;
+    k->nearest = *hit;
+    k->ray.t_max = root->depth;
+    *k->t_max = hit->t;
+    t->root.leaf = &k->tree->patches[k->patch], t->root.s = root->s, t->root.t = root->t, t->root.seed = t->seed;
+    return false;
 }
 
 static bool visit_patch(void *context, uint32_t i, const Ray *r, double *t_max, Trace *t)
@@ -190,7 +207,7 @@ static bool search_patches(Search *k, const Ray *r, double t_max, Trace *t)
 
 bool certain_nearest(const Surface *s, const PatchTree *tree, const Ray *r, double t_max, Trace *t, CertainHit *out)
 {
-    Search k = { .s = s, .tree = tree };
+    Search k = { .s = s, .tree = tree, .take = take_nearest };
     if (!search_patches(&k, r, t_max, t)) return false;
     *out = k.nearest;
     return true;
@@ -198,8 +215,64 @@ bool certain_nearest(const Surface *s, const PatchTree *tree, const Ray *r, doub
 
 bool certain_any(const Surface *s, const PatchTree *tree, const Ray *r, double t_max, Trace *t)
 {
-    Search k = { .s = s, .tree = tree, .wants_any = true };
+    Search k = { .s = s, .tree = tree, .take = take_any };
     return search_patches(&k, r, t_max, t);
+}
+
+/* ---- all hits ---- */
+
+enum { FIRST_ROOM = 64 };     /* hits of a ray and a surface: more is rare */
+
+static bool take_all(Search *k, const Root *root, const CertainHit *hit)
+{
+    (void)root;
+    CertainList *l = k->all;
+    if (l->n == l->capacity && !k->overflow) k->overflow = arena_new();
+    ARENA_PUSH(k->overflow, l->hits, l->n, l->capacity) = *hit;    /* the arena is needed only where the list is full */
+    return false;
+}
+
+static int compare_hits(const void *a, const void *b)
+{
+    double x = ((const CertainHit *)a)->t, y = ((const CertainHit *)b)->t;
+    return (x > y) - (x < y);
+}
+
+/* Parameters of one root, in shares of the patch: rounding at a tangency moves it by some 2^-26. */
+#define SAME_PLACE 0x1p-20
+
+static bool is_near_end(double x, double x0, double x1)
+{
+    return double_min(fabs(x - x0), fabs(x - x1)) <= SAME_PLACE * (x1 - x0);
+}
+
+static bool is_on_border(const Patch *p, const CertainHit *h)
+{
+    return is_near_end(h->u, p->u0, p->u1) || is_near_end(h->v, p->v0, p->v1);
+}
+
+/* One root that two neighbours found on their common border, or that a tangency left in several boxes. */
+static bool is_same_root(const PatchTree *tree, const CertainHit *a, const CertainHit *b)
+{
+    if (!(b->t - a->t <= a->depth_error + b->depth_error)) return false;
+    const Patch *p = &tree->patches[a->patch], *q = &tree->patches[b->patch];
+    if (p != q) return is_on_border(p, a) && is_on_border(q, b);
+    return fabs(a->u - b->u) <= SAME_PLACE * (p->u1 - p->u0) && fabs(a->v - b->v) <= SAME_PLACE * (p->v1 - p->v0);
+}
+
+void certain_all(const Surface *s, const PatchTree *tree, const Ray *r, double t_max, Trace *t, CertainList *out)
+{
+    *out = (CertainList){ ARENA_ARRAY(t->scratch, CertainHit, FIRST_ROOM), 0, FIRST_ROOM };
+    Search k = { .s = s, .tree = tree, .take = take_all, .all = out };
+    search_patches(&k, r, t_max, t);
+    if (k.overflow) out->hits = arena_copy(t->scratch, out->hits, out->n, sizeof *out->hits);
+    arena_free(k.overflow);
+    if (out->n == 0) return;
+    qsort(out->hits, out->n, sizeof *out->hits, compare_hits);
+    size_t n = 1;
+    for (size_t i = 1; i < out->n; i++)
+        if (!is_same_root(tree, &out->hits[n - 1], &out->hits[i])) out->hits[n++] = out->hits[i];
+    out->n = n;
 }
 
 Vec3 certain_normal(const PatchTree *tree, uint32_t i, double u, double v)

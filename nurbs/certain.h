@@ -20,7 +20,8 @@ void certain_prepare(Arena *a, const Surface *s, PatchTree *out);
 
 typedef struct {
     double u, v;                     /* parameters of the surface */
-    double t, t_error;               /* in units of the ray's direction */
+    double t, t_error;               /* in units of the ray's direction; as Hit has them */
+    double depth_error;              /* |t - true t| is at most this */
     uint32_t patch;
 } CertainHit;
 
@@ -29,6 +30,10 @@ bool certain_nearest(const Surface *s, const PatchTree *tree, const Ray *r, doub
 
 /* Is there any hit in (r->t_min, t_max)? */
 bool certain_any(const Surface *s, const PatchTree *tree, const Ray *r, double t_max, Trace *t);
+
+/* All hits in (r->t_min, t_max), ascending, each once, in t->scratch. */
+typedef struct { CertainHit *hits; size_t n, capacity; } CertainList;
+void certain_all(const Surface *s, const PatchTree *tree, const Ray *r, double t_max, Trace *t, CertainList *out);
 
 /* The unit normal S_u x S_v at (u, v) of patch i; where it vanishes (a pole, a collapsed side), its limit from within. */
 Vec3 certain_normal(const PatchTree *tree, uint32_t i, double u, double v);

@@ -3,7 +3,7 @@
 #include "nurbs/intersect.h"
 #include "nurbs/prepare.h"
 #include "nurbs/tessellate.h"
-#include "render/shape.h"
+#include "render/hit_list.h"
 
 typedef struct {
     Shape shape;
@@ -55,6 +55,17 @@ static bool certain_shape_blocks(const Shape *s, const Ray *r, double t_max, Tra
     return certain_any(n->surface, &n->patches, r, t_max, t);
 }
 
+static void certain_shape_all_hits(const Shape *s, const Ray *r, HitList *out, Trace *t)
+{
+    const NurbsShape *n = (const NurbsShape *)s;
+    CertainList list;
+    certain_all(n->surface, &n->patches, r, out->t_max, t, &list);
+    for (size_t i = 0; i < list.n; i++) {
+        const CertainHit *h = &list.hits[i];
+        hit_set(hit_list_add(out), h->t, h->t_error, h->u, h->v, s, h->patch);
+    }
+}
+
 static void certain_shape_attributes(const Shape *s, const Ray *r, const Hit *h, Attributes *out)
 {
     const NurbsShape *n = (const NurbsShape *)s;
@@ -64,7 +75,7 @@ static void certain_shape_attributes(const Shape *s, const Ray *r, const Hit *h,
 
 static const ShapeType certain_type = {
     .name = "trimmed_nurbs", .bounds = nurbs_bounds, .prepare = certain_shape_prepare, .hit = certain_shape_hit,
-    .blocks = certain_shape_blocks, .attributes = certain_shape_attributes, .tessellate = nurbs_tessellate,
+    .blocks = certain_shape_blocks, .all_hits = certain_shape_all_hits, .attributes = certain_shape_attributes, .tessellate = nurbs_tessellate,
 };
 
 /* ---- method paper ---- */

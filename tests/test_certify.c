@@ -5,6 +5,7 @@
 #include "nurbs/certify.h"
 #include "nurbs/clip.h"
 #include "nurbs/nurbs.h"
+#include "render/hit_list.h"
 
 typedef struct { Arena *arena; Trace trace; } Fixture;
 
@@ -212,6 +213,55 @@ static void a_ray_in_the_surface_hits_where_it_enters(void **state)
     CHECK_WITHIN(fabs(nearest - 2), 1e-13, "enters at %.17g", nearest);
 }
 
+/* ---- whole surfaces ---- */
+
+/* A torus of radii 1 and 0.4 as a rational biquadratic surface of 9 x 9 points: circles of four arcs in both directions. */
+static Shape *torus_shape(Arena *a)
+{
+    static const double knots[12] = { 0, 0, 0, .25, .25, .5, .5, .75, .75, 1, 1, 1 };
+    static const double cx[9] = { 1, 1, 0, -1, -1, -1, 0, 1, 1 }, cy[9] = { 0, 1, 1, 1, 0, -1, -1, -1, 0 };
+    Vec4 p[81];
+    for (int j = 0; j < 9; j++)
+        for (int i = 0; i < 9; i++) {
+            double w = (i % 2 ? sqrt(0.5) : 1) * (j % 2 ? sqrt(0.5) : 1), radius = 1 + 0.4 * cx[j];
+            p[9 * j + i] = vec4(radius * cx[i], radius * cy[i], 0.4 * cy[j], w);
+        }
+    SurfaceDesc d = { .order_u = 3, .order_v = 3, .n_u = 9, .n_v = 9, .knots_u = knots, .knots_v = knots, .points = p };
+    NurbsOptions options = { .method = NURBS_METHOD_CERTAIN };
+    NurbsError error;
+    return nurbs_shape_new(a, &d, &options, &error, NULL, 0, NULL);
+}
+
+/* In and out again, in order, and as many as the quartic has; rays towards points, so that seams and borders are met, too. */
+static void a_closed_surface_is_left_as_often_as_entered(void **state)
+{
+    Fixture *f = *state;
+    Shape *torus = torus_shape(f->arena);
+    assert_non_null(torus);
+    int n_hits = 0;
+    for (unsigned seed = 0; seed < 50000; seed++) {
+        TestRandom r = test_random(seed);
+        Vec3 d = random_direction(&r);
+        Vec3 aim = vec(test_range(&r, -1.4, 1.4), test_range(&r, -1.4, 1.4), test_range(&r, -0.4, 0.4));
+        if (seed % 7 == 0) aim.y = 0;                     /* the seam of u lies in this plane */
+        if (seed % 11 == 0) aim.z = 0, d = vec_normalize(vec(d.x, d.y, 0));    /* in the plane of the seam of v */
+        Ray ray = { vec_sub(aim, vec_scale(d, 5)), d, 0 };
+        ArenaMark mark = arena_mark(f->trace.scratch);
+        HitList list = hit_list_make(f->trace.scratch, INFINITY);
+        shape_all_hits(torus, &ray, &list, &f->trace);
+        CHECK(list.n % 2 == 0, "seed %u: %zu hits", seed, list.n);
+        for (size_t i = 0; i < list.n; i++) {
+            Vec3 at = ray_at(&ray, list.hits[i].t);
+            CHECK_WITHIN(fabs(hypot(hypot(at.x, at.y) - 1, at.z) - 0.4), 1e-13, "seed %u", seed);
+            if (i > 0) assert_true(list.hits[i].t >= list.hits[i - 1].t);
+        }
+        n_hits += (int)list.n;
+        arena_reset(f->trace.scratch, mark);
+    }
+    assert_true(n_hits > 50000);
+    shape_release(torus);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -222,6 +272,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(the_frame_loses_and_invents_nothing, set_up, tear_down),
         cmocka_unit_test_setup_teardown(a_tangent_ray_hits_and_one_beside_it_does_not, set_up, tear_down),
         cmocka_unit_test_setup_teardown(a_ray_in_the_surface_hits_where_it_enters, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(a_closed_surface_is_left_as_often_as_entered, set_up, tear_down),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

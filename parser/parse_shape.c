@@ -179,6 +179,8 @@ static const ShapeRule rules[] = {
     { .word = "intersection", .read = parse_intersection },
     { .word = "difference", .read = parse_difference },
     { .word = "merge", .read = parse_merge },
+    { .word = "mesh", .read = parse_mesh },
+    { .word = "mesh2", .read = parse_mesh2 },
 };
 
 const ShapeRule *shape_rule_at(size_t i)

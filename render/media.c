@@ -69,6 +69,7 @@ static const Medium *enclosing(const Object *o, const Medium *outer, Arena *aren
         m.is_hollow |= chain[n++]->is_hollow;
     }
     m.interior = chain[n - 1]->interior;
+    if (!m.interior) n = 1;
     m.n_path = n;
     for (int i = 0; i < n; i++) m.path[i] = chain[n - 1 - i];
     return arena_copy(arena, &m, 1, sizeof m);

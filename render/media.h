@@ -5,7 +5,8 @@
 #include "render/scene.h"
 
 /* The interiors round a ray: a list that is never changed, the one entered last first; NULL: none. A solid is told apart by
- * the placements on the way from the object that carries the interior (without one: the primitive's own) to the world. */
+ * the placements on the way from the object that carries the interior to the world; without one the parts of an object of
+ * the scene are one solid, since POV-Ray gives them all the one interior that it makes for their whole. */
 typedef struct Medium Medium;
 struct Medium {
     const Medium *outer;

@@ -244,7 +244,7 @@ static unsigned texture_looks(const Texture *t)
 static unsigned shape_looks(Shape *s)
 {
     if (shape_is_object(s)) return object_looks((Object *)s);
-    if (!s->type->parts) return LOOKS_UNTEXTURED;
+    if (!s->type->parts) return s->type->looks ? s->type->looks(s) : LOOKS_UNTEXTURED;
     Shape *const *parts;
     uint32_t n = s->type->parts(s, &parts);
     unsigned looks = 0;

@@ -42,6 +42,7 @@ typedef struct {
     /* A compound like s, of as many other parts: its own, moved by `moved` (NULL: not). is_inverse: they are inverted, and so
      * is the compound to be (by De Morgan's laws; a union is then what POV-Ray makes of it, without surfaces within). */
     Shape *(*with_parts)(const Shape *s, Arena *a, Shape *const parts[], bool is_inverse, const Xform *moved);
+    unsigned (*looks) (const Shape *s);            /* of a primitive's own textures: as object_looks; NULL: it has none */
     void (*release)   (Shape *s);                                             /* NULL: the arenas have it all */
 } ShapeType;
 /* On a miss hit() returns false and has not touched *best. r->dir need not have length 1; t is in units of r->dir.

@@ -1,5 +1,5 @@
-/* Colours as they are written: color rgb <1, .5, 0>, rgbt E, red 1 green .5, Red filter .2. A word of a colour may only begin
- * one; what follows it is an expression without such words. */
+/* Colours as they are written: color rgb <1, .5, 0>, rgbt E, red 1 green .5, Red filter .2. A word of a colour may only
+ * begin one; what follows it is an expression without such words. */
 #include "parser/functions.h"
 
 #include <math.h>

@@ -19,7 +19,8 @@ enum {
     PARSER_MAX_FRAMES = SYMBOLS_MAX_SCOPES,
     PARSER_MAX_BRACES = 200,           /* nested { }: the rules recurse, and the stack is finite */
     PARSER_MAX_NESTING = 200,          /* nested expressions, directives within them, macro arguments */
-    PARSER_MAX_STEPS = 100000000       /* rounds of loops and calls of macros in a run, unless the options say otherwise */
+    PARSER_MAX_STEPS = 100000000,      /* rounds of loops and calls of macros in a run, unless the options say otherwise */
+    PARSER_MAX_STEPS_AFTER_ERROR = 100000   /* a loop that lost its step to an error should not run to that limit */
 };
 
 struct Macro {
@@ -34,6 +35,7 @@ typedef struct {
     const Macro *macro;                /* whose body this is; NULL: a file */
     Place called;                      /* where it was called or included from */
     size_t first_block;                /* the blocks below belong to frames below */
+    int braces, parens;                /* as they were when it began */
     uint64_t serial;                   /* tells frames apart that lived at the same height */
 } Frame;
 
@@ -68,6 +70,9 @@ typedef struct {
     Value *element;                    /* the token is an array's name: the element, its subscript has been read */
 } Lookahead;
 
+/* What was open when a value began. */
+typedef struct { int n_frames, braces, parens; } ValueStart;
+
 /* Where a statement began: recovery starts from there. */
 typedef struct { int n_frames; uint64_t serial; Cursor cursor; size_t n_blocks; } Mark;
 
@@ -93,17 +98,17 @@ struct Parser {
     const char *trimmed_nurbs;         /* the word, interned */
     bool last_was_trimmed;             /* that word was taken last: '<' opens a block */
     Guard guard;
-    int braces, nesting;
+    int braces, parens, nesting;       /* parens: ( and [ */
     int angle_braces;                  /* in a trimmed_nurbs < >: braces where it was opened; else -1 */
     Mark mark;
-    int n_stray_braces;                /* how many '}' may be left of a statement that was given up */
+    Cursor before_ahead;               /* where the token ahead begins, if it was read under a guard */
     bool is_between_statements;
 
     Handler *handler;
     Value unsupported;                 /* what a jump to an only_unsupported handler brings */
     Place last_error;                  /* told */
     Place stopped_at;                  /* the token that was looked at when it failed; source NULL: none */
-    uint64_t n_steps;
+    uint64_t n_steps, n_steps_after_error;
     size_t n_elements;                 /* of all arrays */
     bool is_version_set, is_halted;
 };
@@ -140,7 +145,7 @@ const char *token_name(Parser *p, const Token *t);             /* "'camera'", "t
 
 /* ---- recover.c ---- */
 void recover_from_error(Parser *p);                /* to the end of the statement at p->mark */
-void recover_from_unsupported(Parser *p, int braces, bool is_texture);   /* to the end of a #declare's value */
+void recover_from_unsupported(Parser *p, const ValueStart *start, bool is_texture);   /* to the end of a value */
 
 /* ---- directive.c, block.c, macro.c ---- */
 void directive_run(Parser *p, Place hash);         /* after '#' */
@@ -162,7 +167,8 @@ void block_for(Parser *p, Place where);
 void block_break(Parser *p, Place where);
 void block_end(Parser *p, Place where);
 void block_check_frame_end(Parser *p);             /* what the frame has left open is an error */
-bool block_skip(Parser *p, int depth, const char **end);   /* over `depth` + 1 #ends, the last at *end; false: the text ends */
+/* Passes over `depth` + 1 #ends, the last of them at *end; false: the text ends before. */
+bool block_skip(Parser *p, int depth, const char **end);
 
 /* ---- array.c, expr.c ---- */
 Value parse_value(Parser *p, const char *what);    /* anything that an identifier can hold */

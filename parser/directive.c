@@ -44,11 +44,11 @@ static void read_value(Parser *p, void *context)
 static Value value_or_unsupported(Parser *p)
 {
     Reading r = { .kind = VALUE_NONE };
-    int braces = p->braces;
+    ValueStart start = { p->n_frames, p->braces, p->parens };
     if (parse_guarded(p, true, read_value, &r)) return r.value;
     Value v = p->unsupported;
     if (v.n == VALUE_NONE) v.n = (int)r.kind;
-    recover_from_unsupported(p, braces, r.kind == VALUE_TEXTURE);
+    recover_from_unsupported(p, &start, r.kind == VALUE_TEXTURE);
     return v;
 }
 

@@ -243,10 +243,18 @@ static Term parse_operand(Parser *p)
     return term;
 }
 
+/* A string wants no ';' behind it: what follows must not be carried out before it has been assigned. */
+static bool ends_with_string(Parser *p, const Term *t, int min_rank)
+{
+    char c;
+    return t->n == 0 && min_rank >= RANK_SUM && (c = input_next_char(p), !c || !strchr("+-*/", c));
+}
+
 static Term parse_binary(Parser *p, int min_rank)
 {
     Term left = parse_operand(p);
     const Operator *op;
+    if (ends_with_string(p, &left, min_rank)) return left;
     while ((op = find_operator(look(p), min_rank))) {
         Place where = here(p);
         input_take(p);

@@ -234,11 +234,31 @@ static Term vector_t(Parser *p, const Builtin *b, Place w)
     return (Term){ .n = 4, .v = { 0, 0, 0, 1 } };
 }
 
-static Term call_clock(Parser *p, const Builtin *b, Place w) { (void)b, (void)w; return term_float(p->options->clock); }
-static Term call_clock_on(Parser *p, const Builtin *b, Place w) { (void)b, (void)w; return term_float(p->options->clock_on); }
-static Term call_width(Parser *p, const Builtin *b, Place w) { (void)b, (void)w; return term_float(p->options->image_width); }
-static Term call_height(Parser *p, const Builtin *b, Place w) { (void)b, (void)w; return term_float(p->options->image_height); }
-static Term call_version(Parser *p, const Builtin *b, Place w) { (void)b, (void)w; return term_float(p->scene->version); }
+static Term call_clock(Parser *p, const Builtin *b, Place w)
+{
+    (void)b, (void)w;
+    return term_float(p->options->clock);
+}
+static Term call_clock_on(Parser *p, const Builtin *b, Place w)
+{
+    (void)b, (void)w;
+    return term_float(p->options->clock_on);
+}
+static Term call_width(Parser *p, const Builtin *b, Place w)
+{
+    (void)b, (void)w;
+    return term_float(p->options->image_width);
+}
+static Term call_height(Parser *p, const Builtin *b, Place w)
+{
+    (void)b, (void)w;
+    return term_float(p->options->image_height);
+}
+static Term call_version(Parser *p, const Builtin *b, Place w)
+{
+    (void)b, (void)w;
+    return term_float(p->scene->version);
+}
 
 /* ---- strings that are numbers ---- */
 

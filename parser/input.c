@@ -11,6 +11,7 @@ static void push_frame(Parser *p, Frame f)
     if (p->n_frames == PARSER_MAX_FRAMES || !symbols_enter(&p->symbols))
         parse_fail(p, f.called, "macros and include files are nested more than %d deep", PARSER_MAX_FRAMES);
     f.first_block = p->n_blocks;
+    f.braces = p->braces, f.parens = p->parens;
     f.serial = ++p->n_serials;
     p->frames[p->n_frames++] = f;
 }
@@ -47,6 +48,10 @@ void input_deeper(Parser *p, Place where)
 void input_step(Parser *p, Place where)
 {
     uint64_t limit = p->options->max_steps > 0 ? (uint64_t)p->options->max_steps : PARSER_MAX_STEPS;
+    if (diag_error_count(p->diag) > 0 && ++p->n_steps_after_error > PARSER_MAX_STEPS_AFTER_ERROR) {
+        p->is_halted = true;
+        parse_fail(p, where, "reading ends here: after an error this seems to go on for ever");
+    }
     if (++p->n_steps <= limit) return;
     p->is_halted = true;
     parse_fail(p, where, "more than %llu rounds of loops and calls of macros: this seems to go on for ever",
@@ -115,6 +120,13 @@ static void set_ahead(Parser *p, const Token *t, bool is_raw)
     p->ahead = (Lookahead){ .is_full = true, .is_raw = is_raw, .token = *t };
 }
 
+/* The value of a #declare may have been read on to the first token of the next statement. */
+static void mark_ahead(Parser *p)
+{
+    set_mark(p);
+    p->mark.cursor = p->before_ahead;
+}
+
 /* Shows a token that ends a value without passing it. */
 static void stop_before(Parser *p, const Token *t, Cursor before)
 {
@@ -171,8 +183,10 @@ void input_fill(Parser *p)
             input_pop(p);
         } else if (is_to_carry_out(&t)) {
             carry_out(p, &t);
+            if (p->ahead.is_full && p->is_between_statements) mark_ahead(p);
             if (p->ahead.is_full) return;
         } else {
+            if (p->guard.is_on) p->before_ahead = before;
             set_ahead(p, &t, false);
             return;
         }
@@ -186,6 +200,7 @@ static void count_brackets(Parser *p, const Token *t)
     if (t->punct == '{' && ++p->braces > PARSER_MAX_BRACES)
         parse_fail(p, t->place, "blocks are nested more than %d deep", PARSER_MAX_BRACES);
     if (t->punct == '}') p->braces--;
+    p->parens += (t->punct == '(' || t->punct == '[') - (t->punct == ')' || t->punct == ']');
     if (t->punct == '<' && p->last_was_trimmed) p->angle_braces = p->braces;
 }
 

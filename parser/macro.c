@@ -13,11 +13,11 @@ static void read_parameters(Parser *p, Macro *m)
 {
     Word *list[MACRO_MAX_PARAMETERS];
     Place opened = expect_punct(p, '(');
-    while (!at_punct(p, ')')) {
+    while (input_next_char(p) != ')') {             /* names as they stand, even if they are those of macros */
         if (m->n_parameters == MACRO_MAX_PARAMETERS)
-            parse_fail(p, here(p), "a macro has at most %d parameters", MACRO_MAX_PARAMETERS);
+            parse_fail(p, opened, "a macro has at most %d parameters", MACRO_MAX_PARAMETERS);
         list[m->n_parameters++] = declarable_name(p, "of a parameter");
-        accept_comma(p);
+        if (input_next_char(p) == ',') accept_comma(p);
     }
     m->parameters = arena_copy(p->arena, list, (size_t)m->n_parameters, sizeof *list);
     expect_close(p, ')', "the parameters", opened);

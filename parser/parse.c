@@ -19,13 +19,12 @@ static void read_statement(Parser *p, void *at_end)
     bool is_end = look(p)->kind == TOKEN_END;
     p->is_between_statements = false;
     if (is_end) *(bool *)at_end = true;
-    else if (p->n_stray_braces > 0 && accept_punct(p, '}')) p->n_stray_braces--;
     else parse_statement(p);
 }
 
 static void reset_statement(Parser *p)
 {
-    p->braces = 0, p->angle_braces = -1;
+    p->braces = 0, p->parens = 0, p->angle_braces = -1;
     p->guard.is_on = false;
 }
 

@@ -1,6 +1,6 @@
 /* Going on after an error: to the end of the statement that failed, and no further. The text is read again from where the
- * statement began, brackets are counted, directives are passed over unexecuted. Since a missing bracket may be the error,
- * a word that begins statements is taken for one where it stands at the margin. */
+ * statement began, brackets are counted, directives are passed over unexecuted. If the brackets do not close (one of them
+ * was the error), the next word that begins statements is taken for one where it stands at the margin. */
 #include "parser/core.h"
 
 #include <string.h>
@@ -106,10 +106,10 @@ static bool is_closed(const Brackets *b)
 /* Is t, which has been counted, the last token of the statement? */
 static bool is_last(const Search *s, const Brackets *b, const Token *t)
 {
-    if (!is_closed(b) || t->kind == TOKEN_END) return false;
+    if (!is_closed(b) || t->kind == TOKEN_END || (s->form == ENDS_BY_PARENS && b->parens > 0)) return false;
     if (t->kind == TOKEN_WORD) return strcmp(t->text, "end") == 0 && b->had_directives;
     return t->punct == '}' || t->punct == ';' || (t->punct == '>' && b->had_angles)
-        || (t->punct == ')' && b->parens <= 0 && s->form == ENDS_BY_PARENS);
+        || (t->punct == ')' && s->form == ENDS_BY_PARENS);
 }
 
 /* Does t, at c, begin something else? */
@@ -136,7 +136,7 @@ static bool is_at_margin(const Search *s, const Cursor *c)
         && c->at - c->line_start <= s->start.at - s->start.line_start;
 }
 
-/* The end by brackets, or a statement that begins at the margin before they close; false: neither, up to the end. */
+/* The end by brackets; false: they do not close. */
 static bool find_end(Parser *p, Search *s)
 {
     Cursor c = s->start;
@@ -145,13 +145,8 @@ static bool find_end(Parser *p, Search *s)
         (void)cursor_skip_blank(&c);
         s->end = c;
         Token t = read_past(p, &c);
-        bool is_past_error = s->end.at >= s->error;
         if (t.kind == TOKEN_END) return s->end = c, is_closed(&b);
-        if (is_past_error && is_next(s, &b, &t, &s->end)) return true;
-        if (is_past_error && t.kind == TOKEN_WORD && begins_statement(&t) && is_at_margin(s, &s->end)) {
-            p->n_stray_braces = b.depth > 0 ? b.depth : 0;
-            return true;
-        }
+        if (s->end.at >= s->error && is_next(s, &b, &t, &s->end)) return true;
         if (t.kind == TOKEN_PUNCT && t.punct == '#' && !count_directive(p, &b, &c) && s->end.at != s->start.at)
             return is_closed(&b);
         count(&b, &t);
@@ -201,16 +196,38 @@ void recover_from_error(Parser *p)
 
 /* ---- the end of a value ---- */
 
-void recover_from_unsupported(Parser *p, int braces, bool is_texture)
+/* The bodies of macros that the value was being made of are given up. */
+static void leave_macros(Parser *p, const ValueStart *start)
 {
-    Brackets b = { .angles = p->angle_braces >= 0 && p->angle_braces >= braces };
+    if (p->n_frames <= start->n_frames) return;
+    const Frame *f = &p->frames[start->n_frames];
+    p->braces = f->braces, p->parens = f->parens;
+    while (p->n_frames > start->n_frames) input_pop(p);
+    p->ahead = (Lookahead){ .is_full = false };
+    p->last_punct = ')';
+}
+
+/* Behind a closing bracket: does the value go on? Nothing is carried out to find that out. */
+static bool goes_on(Parser *p, bool is_texture)
+{
+    char c = input_next_char(p);
+    bool is_block = p->last_punct == '}';
+    if (c != '\0' && strchr(is_block ? ";" : "+-*/.?:;,<>{[", c)) return true;
+    return is_block && is_texture && c == 't' && peek_word(p, "texture");
+}
+
+/* Directives are carried out on the way: they may declare things that are supported. */
+void recover_from_unsupported(Parser *p, const ValueStart *start, bool is_texture)
+{
+    leave_macros(p, start);
+    Brackets b = { .angles = p->angle_braces >= start->braces };
     for (;;) {
+        bool is_outside = p->braces <= start->braces && p->parens <= start->parens && b.angles == 0;
+        bool is_closed = p->last_punct == '}' || p->last_punct == ')';
+        if (is_outside && is_closed && !p->ahead.is_full && !goes_on(p, is_texture)) return;
         const Token *t = look(p);
         if (t->kind == TOKEN_END || p->ahead.is_raw) return;
-        bool is_outside = p->braces <= braces && b.angles == 0;
         if (is_outside && t->kind == TOKEN_PUNCT && t->punct == ';') return;
-        bool ends_layer = is_outside && p->last_punct == '}' && b.parens <= 0;
-        if (ends_layer && !(is_texture && strcmp(t->kind == TOKEN_WORD ? t->text : "", "texture") == 0)) return;
         count(&b, t);
         input_take(p);
     }

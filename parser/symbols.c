@@ -1,5 +1,5 @@
-/* Interned words with their bindings ("shallow binding": a stack of symbols for each word, a list of symbols for each scope),
- * and the spelling distance for "did you mean". */
+/* Interned words with their bindings ("shallow binding": a stack of symbols for each word, a list of symbols for each
+ * scope), and the spelling distance for "did you mean". */
 #include "parser/symbols.h"
 
 #include <stddef.h>

@@ -66,7 +66,8 @@ double text_value(const char *s)
 static size_t format_number(char *out, size_t size, double x, int length, int precision)
 {
     if (precision < 0) precision = 6;
-    int n = length < 0 ? snprintf(out, size, "%0*.*f", -length, precision, x) : snprintf(out, size, "%*.*f", length, precision, x);
+    int n = length < 0 ? snprintf(out, size, "%0*.*f", -length, precision, x)
+                       : snprintf(out, size, "%*.*f", length, precision, x);
     return (size_t)n;
 }
 

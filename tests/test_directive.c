@@ -20,15 +20,18 @@ static void a_directive_may_stand_inside_of_anything(void **state)
 {
     (void)state;
     check_prints("#declare A = <1, #if (1) 2 #else 3 #end, 4>; #debug vstr(3, A, \",\", 0, 0)", "1,2,4");
-    check_prints("sphere { 0, #local R = 2; R #for (I, 1, 2) translate I*x #end pigment { color #if (0) rgb 1 #else rgb 0 #end } }",
+    check_prints("sphere { 0, #local R = 2; R #for (I, 1, 2) translate I*x #end "
+                 "pigment { color #if (0) rgb 1 #else rgb 0 #end } }",
                  "");
-    check_prints("#declare T = texture { pigment { color rgb 1 } }\n#declare U = texture { T }\nsphere { 0, 1 texture { U } }", "");
+    check_prints("#declare T = texture { pigment { color rgb 1 } }\n#declare U = texture { T }\n"
+                 "sphere { 0, 1 texture { U } }", "");
 }
 
 static void cases_fall_through_to_a_break(void **state)
 {
     (void)state;
-    static const char form[] = "#switch (%d) #case (1) #debug \"a\" #case (2) #debug \"b\" #break #range (3, 5) #debug \"c\" "
+    static const char form[] = "#switch (%d) #case (1) #debug \"a\" "
+                 "#case (2) #debug \"b\" #break #range (3, 5) #debug \"c\" "
                                "#break #else #debug \"d\" #end";
     static const struct { int value; const char *expected; } cases[] = { { 1, "ab" }, { 2, "b" }, { 4, "c" }, { 9, "d" } };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
@@ -45,9 +48,11 @@ static void loops_run_as_often_as_povrays(void **state)
     check_prints("#for (I, 1, 0) #debug \"never\" #end #debug \"end\"", "end");
     check_prints("#declare N = 0; #for (I, 0, 1, .1) #declare N = N + 1; #end #debug str(N,0,0)", "11");
     check_prints("#for (I, 1, 3) #declare I = I + 1; #debug str(I,0,0) #end", "24");
-    check_prints("#declare N = 0; #for (I, 1, 3) #for (J, I, 3) #declare N = N+1; #end #end #debug concat(str(N,0,0), str(I,0,0))",
+    check_prints("#declare N = 0; #for (I, 1, 3) #for (J, I, 3) #declare N = N+1; #end #end "
+                 "#debug concat(str(N,0,0), str(I,0,0))",
                  "64");
-    check_prints("#declare N = 3; #while (N > 0) #declare N = N-1; #if (N = 1) #break #end #debug str(N,0,0) #end #debug \"end\"",
+    check_prints("#declare N = 3; #while (N > 0) #declare N = N-1; #if (N = 1) #break #end "
+                 "#debug str(N,0,0) #end #debug \"end\"",
                  "2end");
     check_prints("#for (I, 1, 2) #switch (I) #case (1) #break #debug \"no\" #end #debug str(I,0,0) #end", "12");
 }
@@ -57,7 +62,8 @@ static void loops_run_as_often_as_povrays(void **state)
 static void declare_changes_the_nearest_binding(void **state)
 {
     (void)state;
-    check_prints("#macro M() #local Q = 2; #declare Q = 3; #debug str(Q,0,0) #end #declare Q = 1; M() #debug str(Q,0,0)", "31");
+    check_prints("#macro M() #local Q = 2; #declare Q = 3; #debug str(Q,0,0) #end "
+                 "#declare Q = 1; M() #debug str(Q,0,0)", "31");
     check_prints("#local A = 1; #macro M() #local A = 2; N() #end #macro N() #declare A = A+10; #debug str(A,0,0) #end "
                  "M() #debug str(A,0,0)", "121");
     check_prints("#macro M() #declare New = 7; #end M() #debug str(New,0,0)", "7");
@@ -75,6 +81,18 @@ static void lone_identifiers_are_passed_by_reference(void **state)
     check_prints("#macro M(V) #local V = V*10; #end #declare X = 2; M(X) #debug str(X,0,0)", "20");
     check_prints("#declare A = array[3]{1,2,3} #macro M(V) #declare V = V*10; #end M(A[1]) #debug str(A[1],0,0)", "20");
     check_fails("#macro M(V) #declare V = 5; #end M(Q)", "unknown identifier 'Q'");
+}
+
+static void a_value_ends_before_what_uses_it(void **state)
+{
+    (void)state;
+    check_prints("#macro M(A) #debug A #end #declare S = \"a\"\nM(S)", "a");
+    check_prints("#macro M() texture { T } #end #declare T = texture { pigment { color rgb 1 } }\nsphere { 0, 1 M() }", "");
+    check_prints("#if (1) #declare T = texture { pigment { color rgb 1 } } #else #declare T = 1; #end "
+                 "sphere { 0, 1 texture { T } }",
+                 "");
+    check_prints("#macro M() #local T = finish { phong 1 } #end M() "
+                 "#ifdef (T) #debug \"yes\" #else #debug \"no\" #end", "no");
 }
 
 static void a_macros_body_is_text(void **state)
@@ -98,9 +116,16 @@ static void unsupported_values_are_errors_only_where_they_are_used(void **state)
     static const char declared[] =
         "#declare T = texture { pigment { granite #declare Seen = 1; scale 2 } } texture { pigment { bozo } }\n"
         "#declare F = function(x, y) { x*y }\n#declare N = normal { bumps .5 }\n#declare V = F(1, 2)*3;\n"
-        "#declare B = T\n#declare A = array[1]{ texture { T } }\n#declare G = trimmed_nurbs < order 2, 2 knots_u { 0, 0, 1, 1 } "
+        "#declare B = T\n#declare A = array[1]{ texture { T } }\n"
+                 "#declare G = trimmed_nurbs < order 2, 2 knots_u { 0, 0, 1, 1 } "
         "knots_v { 0, 0, 1, 1 } points 2, 2 { <0,0,0>, x, y, x+y } pigment { wood } rotate <1,2,3> >\n"
         "#declare L = 1;\n";
+    check_prints("#macro M(P) #local R = trace(P); #if (vlength(R)) 1 #else 2 #end #end\n"
+                 "#macro P() texture { pigment { wood } } #end\n"
+                 "#macro W() #local T = text { ttf \"a\" } (max_extent(T).x) #end #declare W1 = W();\n"
+                 "#declare V = <min(trace(1), 2), trace(1).x>;\n#declare A = M(1)\n#if (1) #debug \"a\" #end\n"
+                 "#declare B = P()\n#declare C = M(pigment { wood })*2;\n"
+                 "#ifdef (A) #ifdef (B) #ifdef (C) #debug \"bc\" #end #end #end", "abc");
     char text[1024];
     snprintf(text, sizeof text, "%s#debug str(L+Seen,0,0)", declared);
     check_prints(text, "2");
@@ -129,8 +154,9 @@ static void the_standard_include_files_load(void **state)
     if (access("/usr/share/povray-3.7/include/colors.inc", R_OK) != 0) skip();
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
         char text[256];
-        snprintf(text, sizeof text, "#version 3.7; global_settings { assumed_gamma 1 } #include \"colors.inc\" #include \"%s.inc\" "
-                 "#debug \"read\"", names[i]);
+        snprintf(text, sizeof text, "#version 3.7; global_settings { assumed_gamma 1 } "
+                 "#include \"colors.inc\" #include \"shapes.inc\" "
+                 "#include \"%s.inc\" #debug \"read\"", names[i]);
         check_prints(text, "read");
     }
 }
@@ -184,7 +210,9 @@ static void the_statements_after_an_error_are_read(void **state)
         { "trimmed_nurbs < order 2, 2 knots_u { 0, \"a\" } rotate <1,2,3> > sphere { 0, 1 }", 1, 1 },
         { "sphere { 0, 1 }; sphere { 0, 1 }", 1, 2 },
         { "} sphere { 0, 1 }", 1, 1 },
-        { "union {\nsphere { 0, }\nsphere { 0, 1 }\n}\nsphere { 0, 1 }", 1, 2 },
+        { "union {\nsphere { 0, }\nsphere { 0, 1 }\n}\nsphere { 0, 1 }", 1, 1 },
+        { "#macro M(A, B) #end M(function(x) { x }, 1) sphere { 0, 1 }", 1, 1 },
+        { "#declare T = texture { pigment { color rgb 1 } }\nunion { sphere { 0, } } sphere { 0, 1 }", 1, 1 },
         { "sphere { 0, \"a\nsphere { 0, 1 }", 1, 0 },
         { "#end sphere { 0, 1 }\nsphere { 0, 1 }", 1, 2 },
     };
@@ -205,6 +233,7 @@ int main(void)
         cmocka_unit_test(loops_run_as_often_as_povrays),
         cmocka_unit_test(declare_changes_the_nearest_binding),
         cmocka_unit_test(lone_identifiers_are_passed_by_reference),
+        cmocka_unit_test(a_value_ends_before_what_uses_it),
         cmocka_unit_test(a_macros_body_is_text),
         cmocka_unit_test(unsupported_values_are_errors_only_where_they_are_used),
         cmocka_unit_test(the_standard_include_files_load),

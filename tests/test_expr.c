@@ -96,7 +96,8 @@ static void colours_are_what_povray_prints(void **state)
     };
     for (size_t i = 0; i < COUNT(cases); i++) {
         char text[512];
-        snprintf(text, sizeof text, "global_settings { assumed_gamma 1 } #declare G = rgbft <.2,.4,.6,.1,.2>; #declare C = %s; "
+        snprintf(text, sizeof text, "global_settings { assumed_gamma 1 } #declare G = rgbft <.2,.4,.6,.1,.2>; "
+                 "#declare C = %s; "
                  "#debug vstr(5, C, \",\", 0, 3)", cases[i].expression);
         check_prints(text, cases[i].expected);
     }

@@ -20,7 +20,8 @@ static Sample sample_of(const char *path)
 
 /* A scene without files: all that the language's core has. */
 static const char core_scene[] =
-    "#version 3.7; #declare A = array[2][2]{{1, 2}, {x, \"s\"}} #macro M(X, Y) #local Z = X + Y; #if (Z > 2) Z #else -Z #end #end\n"
+    "#version 3.7; #declare A = array[2][2]{{1, 2}, {x, \"s\"}}\n"
+    "#macro M(X, Y) #local Z = X + Y; #if (Z > 2) Z #else -Z #end #end\n"
     "#for (I, 0, 3) #declare B = M(I, <1, 2, 3>.y)*2; #if (B < 3) #break #end #end #while (B > 0) #declare B = B - 1; #end\n"
     "#switch (B) #case (1) #debug str(1, 2, 3) #break #range (0, 5) #debug concat(\"a\", chr(66)) #else #end\n"
     "#declare T = texture { pigment { granite } } #declare C = rgbft <1, 2, 3, 4, 5>*.5 + color red 1; #undef T\n"
@@ -39,8 +40,9 @@ static void splice(char *text, size_t *n, size_t at, size_t removed, const char 
 /* One change: a byte, a piece left out, a piece of a sample put in, a word of the language. */
 static void damage(TestRandom *r, char *text, size_t *n, const Sample *other)
 {
-    static const char *const words[] = { "#", "{", "}", "<", ">", "(", ")", "[", "\"", "/*", "*/", "#end ", "#if (", "#while (1)",
-                                         "#macro M(A) ", "M(", "#declare A = ", "1e308", "-", "A[", "&", "?", "\0" };
+    static const char *const words[] = { "#", "{", "}", "<", ">", "(", ")", "[", "\"", "/*", "*/", "#end ", "#if (",
+                                         "#while (1)", "#macro M(A) ", "M(", "#declare A = ", "1e308", "-", "A[",
+                                         "&", "?", "\0" };
     size_t at = *n ? (size_t)test_int(r, 0, (int)*n - 1) : 0, left = *n - at;
     size_t length = (size_t)test_int(r, 0, 40), from = (size_t)test_int(r, 0, (int)other->n - 1);
     const char *word = words[test_int(r, 0, (int)(sizeof words / sizeof *words) - 1)];

@@ -1,0 +1,117 @@
+/* See judge.h. */
+#include "tests/stress/judge.h"
+
+const char *const judgement_name[] = { "right", "in the band", "missed", "false", "inexact" };
+
+void row_add(Row *to, const Row *from)
+{
+    to->rays += from->rays, to->hits += from->hits, to->in_band += from->in_band, to->missed += from->missed;
+    to->false_hits += from->false_hits, to->inexact += from->inexact, to->tests += from->tests;
+    to->fallbacks += from->fallbacks, to->seconds += from->seconds;
+    to->worst = fmax(to->worst, from->worst), to->slowest = fmax(to->slowest, from->slowest);
+}
+
+/* The first root that a ray must meet; truth->n: none. Roots about t_min are not sure to count. */
+static int first_sure(const Truth *truth, const Ray *r, long double slack)
+{
+    int i = 0;
+    while (i < truth->n && !(truth_is_sure(&truth->root[i]) && truth->root[i].lo - slack > r->t_min)) i++;
+    return i;
+}
+
+/* Which root the hit may be, in order up to the first sure one; -1: none. */
+static int root_of(const Truth *truth, int first, long double t, long double slack)
+{
+    for (int i = 0; i <= first && i < truth->n; i++)
+        if (truth->root[i].lo - slack <= t && t <= truth->root[i].hi + slack) return i;
+    return -1;
+}
+
+/* Is there a root after t_min that may or may not be met, before the first sure one? */
+static bool is_open(const Truth *truth, int first, const Ray *r, long double slack)
+{
+    for (int i = 0; i < first; i++)
+        if (truth->root[i].hi + slack > r->t_min) return true;
+    return false;
+}
+
+static Judgement judge(const Truth *truth, const Ray *r, bool is_hit, double t, Row *row)
+{
+    long double slack = TRUTH_ERROR * truth->length;
+    int first = first_sure(truth, r, slack);
+    bool must = first < truth->n, open = is_open(truth, first, r, slack);
+    if (!is_hit) return must ? JUDGED_MISSED : open ? JUDGED_IN_BAND : JUDGED_RIGHT;
+    int i = root_of(truth, first, t, slack);
+    bool is_near = i >= 0 || (i = root_of(truth, first, t, JUDGE_NEAR * truth->length)) >= 0;
+    if (!is_near) return must && t > truth->root[first].hi ? JUDGED_MISSED : JUDGED_FALSE;
+    const TruthRoot *root = &truth->root[i];
+    if (t < root->lo - slack || t > root->hi + slack) {
+        row->worst = fmax(row->worst, (double)(fmaxl(root->lo - t, t - root->hi) / truth->length));
+        return JUDGED_INEXACT;
+    }
+    if (i != first || root->hi - root->lo > 2 * slack) return JUDGED_IN_BAND;
+    row->worst = fmax(row->worst, (double)(fabsl(t - root->t) / truth->length));
+    return JUDGED_RIGHT;
+}
+
+static bool is_normal(const Shape *s, const Ray *r, const Hit *h)
+{
+    Attributes a;
+    s->type->attributes(s, r, h, &a);
+    return fabs(vec_length(a.normal) - 1) < 1e-9;   /* not NaN, not zero */
+}
+
+Verdict judge_ray(const Model *m, int method, const Ray *r, const Truth *truth, Trace *trace, Row *row)
+{
+    const Shape *s = m->shape[method];
+    Hit hit = { .t = INFINITY };
+    Counters before = trace->counters;
+    double begin = stats_now();
+    bool is_hit = shape_hit(s, r, &hit, trace);
+    double seconds = stats_now() - begin - (trace->counters.prep_seconds - before.prep_seconds);
+    row->seconds += seconds, row->slowest = fmax(row->slowest, seconds);
+    row->tests += trace->counters.nurbs_tests - before.nurbs_tests;
+    row->fallbacks += trace->counters.fallbacks - before.fallbacks;
+    Verdict v = { judge(truth, r, is_hit, hit.t, row), is_hit, hit.t, hit.u, hit.v };
+    if (v.judgement <= JUDGED_IN_BAND) {   /* `blocks` knows no more than that there is one */
+        Row ignored = { 0 };
+        bool blocks = shape_blocks(s, r, INFINITY, trace);
+        if (!blocks) v.judgement = judge(truth, r, false, 0, &ignored) == JUDGED_MISSED ? JUDGED_MISSED : v.judgement;
+        else if (!is_hit && v.judgement == JUDGED_RIGHT) v.judgement = JUDGED_FALSE;
+    }
+    if (is_hit && v.judgement <= JUDGED_IN_BAND && !is_normal(s, r, &hit)) v.judgement = JUDGED_INEXACT;
+    row->rays++, row->hits += is_hit;
+    row->in_band += v.judgement == JUDGED_IN_BAND, row->missed += v.judgement == JUDGED_MISSED;
+    row->false_hits += v.judgement == JUDGED_FALSE, row->inexact += v.judgement == JUDGED_INEXACT;
+    return v;
+}
+
+static void report_numbers(FILE *to, const char *name, const double *x, int n)
+{
+    fprintf(to, "static const double %s[] = {", name);
+    for (int i = 0; i < n; i++) fprintf(to, "%s %a", i ? "," : "", x[i]);
+    fprintf(to, " };\n");
+}
+
+void judge_report(FILE *to, const Model *m, const Ray *r, const Truth *truth, Verdict v)
+{
+    const SurfaceDesc *d = &m->desc;
+    fprintf(to, "/* %s: %s; t %.17g at (%.17g, %.17g)\n", m->at.form.name, judgement_name[v.judgement],
+            v.is_hit ? v.t : INFINITY, v.u, v.v);
+    fprintf(to, "   the truth (errors relative to %.3Lg; band %.3g, %d trims):\n", truth->length, truth_band(&m->at, r), d->n_trims);
+    for (int i = 0; i < truth->n; i++) {
+        const TruthRoot *root = &truth->root[i];
+        fprintf(to, "   t %.20Lg  -%.3Lg +%.3Lg  %s%s\n", root->t, root->t - root->lo, root->hi - root->t,
+                root->is_odd ? "odd" : "even", root->is_inside ? "" : ", at the border");
+    }
+    fprintf(to, "*/\n");
+    report_numbers(to, "knots_u", d->knots_u, d->n_u + d->order_u);
+    report_numbers(to, "knots_v", d->knots_v, d->n_v + d->order_v);
+    fprintf(to, "static const Vec4 points[] = {\n");
+    for (int i = 0; i < d->n_u * d->n_v; i++)
+        fprintf(to, "    { %a, %a, %a, %a },\n", d->points[i].x, d->points[i].y, d->points[i].z, d->points[i].w);
+    fprintf(to, "};\nstatic const SurfaceDesc desc = { .order_u = %d, .order_v = %d, .n_u = %d, .n_v = %d, .knots_u = knots_u,\n"
+            "                                   .knots_v = knots_v, .points = points };\n", d->order_u, d->order_v, d->n_u, d->n_v);
+    fprintf(to, "static const Ray ray = { { %a, %a, %a }, { %a, %a, %a }, %a };\n", r->origin.x, r->origin.y, r->origin.z,
+            r->dir.x, r->dir.y, r->dir.z, r->t_min);
+}

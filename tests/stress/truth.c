@@ -1,0 +1,154 @@
+/* See truth.h. On the ray f is a polynomial g(s). A point with |f| <= |grad f| band + |Hessian| band^2 / 2 is about as near to the
+ * surface as the band, or nearer (the second term matters at cusps and apices, where grad f vanishes). A root's interval is
+ * where the ray is that near; roots in one interval count together: an odd number stays, an even one may not. */
+#include "tests/stress/truth.h"
+
+#define REACH 4              /* forms lie within a ball of this radius about their origin */
+
+typedef struct {
+    const FormInWorld *f;
+    Quad3 at, dir;           /* local: at + s dir, |dir| = 1 */
+    Poly g, slope;
+    Quad band, second_order;
+} Line;
+
+static Quad3 line_at(const Line *l, Quad s) { return quad3_add(l->at, quad3_scale(l->dir, s)); }
+
+static Quad gradient_length(const Line *l, Quad s)
+{
+    Quad3 n = l->f->form.gradient(&l->f->form, line_at(l, s));
+    return quad3_length(quad_map_normal(&l->f->to_local, n));
+}
+
+static bool is_in_band(const Line *l, Quad s)
+{
+    return quad_abs(poly_at(&l->g, s)) <= l->band * gradient_length(l, s) + l->second_order;
+}
+
+/* From s outwards to where the line has left the band: at most some 3 % too far. */
+static Quad leave_band(const Line *l, Quad s, Quad step)
+{
+    Quad inside = 0, outside = step;
+    while (is_in_band(l, s + outside)) {
+        inside = outside;
+        outside *= (Quad)1.5;
+        if (quad_abs(s + outside) > REACH) return step < 0 ? -REACH : REACH;
+    }
+    for (int i = 0; i < 5; i++) {
+        Quad middle = (inside + outside) / 2;
+        if (is_in_band(l, s + middle)) inside = middle;
+        else outside = middle;
+    }
+    return s + outside;
+}
+
+double truth_band(const FormInWorld *f, const Ray *r)
+{
+    double size = f->extent + fabs(r->origin.x) + fabs(r->origin.y) + fabs(r->origin.z);
+    return BAND_ROUNDINGS * (f->k_sum + 8) * 0x1p-53 * size;
+}
+
+/* The least distance in the world from s0 .. s1 to the border, and the greatest: negative is beyond it. */
+static void border_distance(const Line *l, Quad s0, Quad s1, Quad *least, Quad *most)
+{
+    const Form *f = &l->f->form;
+    *least = *most = HUGE_VALL;
+    Quad3 p0 = line_at(l, s0), p1 = line_at(l, s1);
+    for (int i = 0; i < f->n_sides; i++) {
+        Quad unit = quad3_length(quad_map_normal(&l->f->to_local, f->side[i].normal));
+        Quad a = (quad3_dot(f->side[i].normal, p0) + f->side[i].at) / unit;
+        Quad b = (quad3_dot(f->side[i].normal, p1) + f->side[i].at) / unit;
+        *least = quad_min(*least, quad_min(a, b)), *most = quad_min(*most, quad_max(a, b));
+    }
+}
+
+/* The distance to a trim's edge is known in local coordinates only: the band there is what the map makes of it at most. */
+static void kept_distance(const Line *l, Quad s0, Quad s1, Quad *least, Quad *most)
+{
+    const QuadMap *m = &l->f->to_local;
+    Quad stretch = quad_max(quad3_length(m->x), quad_max(quad3_length(m->y), quad3_length(m->z))) * 2;
+    Quad a = l->f->kept(l->f->kept_context, line_at(l, s0)) / stretch;
+    Quad b = l->f->kept(l->f->kept_context, line_at(l, s1)) / stretch;
+    *least = quad_min(*least, quad_min(a, b)), *most = quad_min(*most, quad_max(a, b));
+}
+
+typedef struct { Quad s, lo, hi; } Event;
+
+static Event root_event(const Line *l, Quad s, const Quad *critical, int n_critical)
+{
+    Quad slope = quad_abs(poly_at(&l->slope, s)), slack = slope > 0 ? l->band * gradient_length(l, s) / slope : REACH;
+    Quad nearest = REACH;
+    for (int i = 0; i < n_critical; i++) nearest = quad_min(nearest, quad_abs(critical[i] - s));
+    if (slack * 32 < nearest) return (Event){ s, s - slack * (Quad)1.25, s + slack * (Quad)1.25 };
+    Quad step = quad_max(quad_min(slack, nearest) / 4, (Quad)1e-30L);
+    return (Event){ s, leave_band(l, s, -step), leave_band(l, s, step) };
+}
+
+static void add_event(const Line *l, const Event *e, Quad t_centre, Quad t_unit, Truth *out)
+{
+    Quad least, most;
+    border_distance(l, e->lo, e->hi, &least, &most);
+    if (l->f->kept) kept_distance(l, e->lo, e->hi, &least, &most);
+    if (most < -l->band) return;
+    bool is_odd = (poly_at(&l->g, e->lo) < 0) != (poly_at(&l->g, e->hi) < 0);
+    truth_add(out, (TruthRoot){ (long double)(t_centre + e->s * t_unit), (long double)(t_centre + e->lo * t_unit),
+                                (long double)(t_centre + e->hi * t_unit), is_odd, least > l->band });
+}
+
+/* Joins e with those that it overlaps; returns how many there are then. */
+static int join_event(Event *list, int n, Event e)
+{
+    for (int i = 0; i < n; i++) {
+        if (list[i].hi < e.lo || e.hi < list[i].lo) continue;
+        e.lo = quad_min(e.lo, list[i].lo), e.hi = quad_max(e.hi, list[i].hi);
+        list[i] = list[--n];
+        i = -1;
+    }
+    list[n++] = e;
+    return n;
+}
+
+#define ALONG 3              /* places where a plane may be near the line without a root or a critical point */
+
+static void find_events(const Line *l, Quad t_centre, Quad t_unit, Truth *out)
+{
+    Quad roots[POLY_MAX], near[POLY_MAX + ALONG];
+    Event events[2 * POLY_MAX + ALONG];
+    int n_roots = poly_roots(&l->g, -REACH, REACH, roots), n_near = poly_roots(&l->slope, -REACH, REACH, near), n = 0;
+    for (int i = 0; i < n_roots; i++) n = join_event(events, n, root_event(l, roots[i], near, n_near));
+    for (int i = 0; i < ALONG; i++) near[n_near++] = (i - 1) * (Quad)1.75;
+    for (int i = 0; i < n_near; i++) {
+        if (!is_in_band(l, near[i])) continue;
+        bool is_seen = false;
+        for (int j = 0; j < n; j++) is_seen |= events[j].lo <= near[i] && near[i] <= events[j].hi;
+        if (is_seen) continue;
+        Event e = { near[i], leave_band(l, near[i], -(Quad)1e-24L), leave_band(l, near[i], (Quad)1e-24L) };
+        n = join_event(events, n, e);
+    }
+    for (int i = 0; i < n; i++) add_event(l, &events[i], t_centre, t_unit, out);
+}
+
+void truth_of_form(const FormInWorld *f, const Ray *r, Truth *out)
+{
+    Quad3 o = quad_map_point(&f->to_local, quad3_of(r->origin)), d = quad_map_vector(&f->to_local, quad3_of(r->dir));
+    Quad unit = quad3_length(d), world = quad3_length(quad3_of(r->dir));
+    Line l = { .f = f, .dir = quad3_scale(d, 1 / unit), .band = truth_band(f, r) };
+    Quad centre = -quad3_dot(o, l.dir);
+    l.at = quad3_add(o, quad3_scale(l.dir, centre));
+    out->n = 0;
+    out->length = (long double)((f->extent + vec_max_abs(r->origin)) / world);
+    if (quad3_length(l.at) > REACH) return;
+    l.g = f->form.along(&f->form, poly_line(l.at.x, l.dir.x), poly_line(l.at.y, l.dir.y), poly_line(l.at.z, l.dir.z));
+    l.slope = poly_derivative(l.g);
+    Quad stretch = quad3_length(f->to_local.x) + quad3_length(f->to_local.y) + quad3_length(f->to_local.z);
+    l.second_order = f->form.hessian * stretch * stretch * l.band * l.band / 2;
+    find_events(&l, centre / unit, 1 / unit, out);
+}
+
+void truth_add(Truth *t, TruthRoot root)
+{
+    if (t->n == TRUTH_MAX) return;
+    int at = t->n++;
+    for (; at > 0 && t->root[at - 1].t > root.t; at--) t->root[at] = t->root[at - 1];
+    t->root[at] = root;
+}

@@ -36,13 +36,15 @@ static bool is_kept(const Surface *s, const Leaf *leaf, const NewtonRoot *root, 
     return trim_keeps(s->trims, root->u, root->v);
 }
 
+/* A root that cannot be told from t_min is not beyond it: where a ray leaves this very surface, the point that it left by its
+ * own error bound is found again with the error of this root. */
 static bool visit_leaf(void *context, uint32_t i, const Ray *r, double *t_max, Trace *t)
 {
     Search *search = context;
     NewtonRoot root;
     if (!newton_may_reach(search->s, &search->tree->leaves[i], &search->ray)) return false;
     if (!solve(search, i, &root, t)) return false;
-    if (!(root.t > r->t_min && root.t < *t_max)) return false;
+    if (!(root.t - root.t_error > r->t_min && root.t < *t_max)) return false;
     if (!is_kept(search->s, &search->tree->leaves[i], &root, t)) return false;
     t->counters.reported_hits++;
     search->nearest = (SurfaceHit){ root, i };

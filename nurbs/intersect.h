@@ -6,7 +6,8 @@
 
 typedef struct { NewtonRoot root; uint32_t leaf; } SurfaceHit;
 
-/* The nearest hit in the open interval (r->t_min, t_max) that no trim cuts away; counts into t. */
+/* The nearest hit in the open interval (r->t_min, t_max) that no trim cuts away, surely beyond r->t_min: by more than its
+ * t_error. Counts into t. */
 bool intersect_nearest(const Surface *s, const LeafTree *tree, int max_iterations, const Ray *r, double t_max, Trace *t,
                        SurfaceHit *out);
 

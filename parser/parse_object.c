@@ -182,6 +182,7 @@ static bool parse_modifier(Parser *p, Object *o)
     Xform x = xform_identity();
     if (parse_transformation(p, &x)) {
         object_transform(o, &x);
+        if (strcmp(t.text, "scale") == 0) o->child = smooth_triangle_scaled(parser_arena(p), o->child, &o->placement);
         return true;
     }
     for (size_t i = 0; i < sizeof modifiers / sizeof *modifiers; i++) {

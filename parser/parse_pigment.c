@@ -22,15 +22,6 @@ static const Pigment *default_pigment(Parser *p)
 
 /* ---- patterns ---- */
 
-static const PigmentEntry *black_to_white(Parser *p, int *n)
-{
-    PigmentEntry *list = ARENA_ARRAY(parser_arena(p), PigmentEntry, 2);
-    list[0] = (PigmentEntry){ 0, solid(p, (Color){ 0, 0, 0, 0, 0 }) };
-    list[1] = (PigmentEntry){ 1, solid(p, (Color){ 1, 1, 1, 0, 0 }) };
-    *n = 2;
-    return list;
-}
-
 static const Pigment *parse_block(Parser *p)
 {
     if (accept_word(p, "pigment")) return parse_pigment(p);
@@ -53,7 +44,7 @@ static void read_blocks(Parser *p, Pigment *g)
 
 static void read_pattern(Parser *p, Pigment *g, const PatternType *type)
 {
-    bool has_map = g->kind != PIGMENT_BLOCKS && g->n_entries > 0;
+    if (g->kind == PIGMENT_BLOCKS) g->n_entries = 0;   /* colours of blocks are no map */
     g->pattern = pattern_make(type);
     if (type->n_blocks > 0) {
         read_blocks(p, g);
@@ -61,7 +52,6 @@ static void read_pattern(Parser *p, Pigment *g, const PatternType *type)
     }
     if (strcmp(type->name, "gradient") == 0) g->pattern.direction = vec_normalize(parse_vec3(p));
     g->kind = PIGMENT_MAP;
-    if (!has_map) g->entries = black_to_white(p, &g->n_entries);
 }
 
 /* ---- items ---- */

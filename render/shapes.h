@@ -4,6 +4,7 @@
 #define TRIMRAY_SHAPES_H
 
 #include "render/shape.h"
+#include "render/xform.h"
 
 Shape *sphere_new(Arena *a, Vec3 centre, double radius);
 Shape *plane_new(Arena *a, Vec3 normal, double distance);      /* n . p = d with n normalized; inside is below */
@@ -14,6 +15,9 @@ Shape *disc_new(Arena *a, Vec3 centre, Vec3 normal, double radius, double hole_r
 Shape *torus_new(Arena *a, double major, double minor);        /* about the y axis */
 Shape *triangle_new(Arena *a, const Vec3 p[3]);
 Shape *smooth_triangle_new(Arena *a, const Vec3 p[3], const Vec3 n[3]);
+/* s, but a smooth triangle's normals blend as if they had unit length outside of `placement`: so they do in POV-Ray from a
+ * `scale` on, and after no other transformation. */
+Shape *smooth_triangle_scaled(Arena *a, Shape *s, const Xform *placement);
 
 /* All surfaces of its parts, in their order; the parts are borrowed and must be in their final place, the list is copied. */
 Shape *union_new(Arena *a, Shape *const parts[], uint32_t n);

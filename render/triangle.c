@@ -5,7 +5,7 @@
 typedef struct {
     Shape shape;
     Vec3 p[3], normal;       /* of the face, unit */
-    Vec3 n[3];               /* smooth: unit normals at the vertices */
+    Vec3 n[3];               /* smooth: normals at the vertices; their lengths are their weights */
     bool is_smooth;
 } Triangle;
 
@@ -78,4 +78,17 @@ Shape *smooth_triangle_new(Arena *a, const Vec3 p[3], const Vec3 n[3])
     for (int i = 0; i < 3; i++) s->n[i] = vec_normalize(n[i]);
     s->is_smooth = true;
     return normals_agree(s) ? &s->shape : NULL;
+}
+
+Shape *smooth_triangle_scaled(Arena *a, Shape *s, const Xform *placement)
+{
+    if (s->type != &smooth_triangle_type) return s;
+    Triangle *scaled = make(a, s->type, ((const Triangle *)s)->p);
+    scaled->is_smooth = true;
+    for (int i = 0; i < 3; i++) {
+        Vec3 n = ((const Triangle *)s)->n[i];
+        double length = vec_length(xform_normal(placement, n));
+        scaled->n[i] = length > 0 ? vec_scale(n, 1 / length) : n;
+    }
+    return &scaled->shape;
 }

@@ -1,0 +1,82 @@
+/* trimray's own two methods, through render/shape.h. */
+#include "tests/bench/bench.h"
+
+#include "render/shapes.h"
+
+#include <string.h>
+
+typedef struct {
+    Engine engine;
+    Arena *arena;
+    Shape **parts;
+    int n;
+    Shape *whole;
+    Trace trace;
+} Trimray;
+
+static void trimray_shoot(Engine *engine, const RaySet *set, size_t stride, double *t)
+{
+    Trimray *e = (Trimray *)engine;
+    e->trace.counters = engine->cost.counters;
+    e->trace.is_shadow_ray = set->t_max != NULL;
+    Hit best;
+    for (size_t i = 0; i < set->n; i += stride, t++) {
+        e->trace.seed = i + 1;
+        if (set->t_max) {
+            *t = shape_blocks(e->whole, &set->rays[i], set->t_max[i], &e->trace) ? 0 : INFINITY;
+        } else {
+            best.t = INFINITY;
+            shape_hit(e->whole, &set->rays[i], &best, &e->trace);
+            *t = best.t;
+        }
+    }
+    engine->cost.counters = e->trace.counters;
+}
+
+static void trimray_release(Engine *engine)
+{
+    Trimray *e = (Trimray *)engine;
+    for (int i = 0; i < e->n; i++) shape_release(e->parts[i]);
+    if (e->n > 1) shape_release(e->whole);
+    arena_free(e->trace.scratch);
+    arena_free(e->arena);
+    free(e);
+}
+
+static bool make_parts(Trimray *e, const EngineInput *in)
+{
+    NurbsError error;
+    e->parts = ARENA_ARRAY(e->arena, Shape *, in->model->n);
+    for (e->n = 0; e->n < in->model->n; e->n++) {
+        Shape *s = nurbs_shape_new(e->arena, &in->model->surfaces[e->n], &(NurbsOptions){ .method = in->method }, &error,
+                                   NULL, 0, NULL);
+        if (!s) {
+            fprintf(stderr, "bench: surface %d of %s is refused: code %d, index %d, value %g\n", e->n, in->model->name,
+                    error.code, error.index, error.value);
+            return false;
+        }
+        e->parts[e->n] = s;
+    }
+    return true;
+}
+
+Engine *engine_trimray(const EngineInput *in)
+{
+    Trimray *e = calloc(1, sizeof *e);
+    size_t before = memory_now();
+    memory_reset_peak();
+    double begin = processor_now();
+    e->engine.shoot = trimray_shoot, e->engine.release = trimray_release;
+    e->arena = arena_new(), e->trace.scratch = arena_new();
+    if (!make_parts(e, in)) {
+        e->n = 0;
+        trimray_release(&e->engine);
+        return NULL;
+    }
+    e->whole = e->n == 1 ? e->parts[0] : union_new(e->arena, e->parts, (uint32_t)e->n);
+    shape_prepare(e->whole, &e->trace);
+    for (int i = 0; i < e->n; i++) shape_prepare(e->parts[i], &e->trace);
+    e->engine.cost.prep_seconds = processor_now() - begin;
+    e->engine.cost.held = memory_now() - before, e->engine.cost.peak = memory_peak() - before;
+    return &e->engine;
+}

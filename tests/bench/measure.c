@@ -1,0 +1,80 @@
+/* Time and error of an engine's answers. */
+#include "tests/bench/bench.h"
+
+#include <string.h>
+#include <time.h>
+
+enum { PROBE_RAYS = 512, MAX_REPEATS = 15 };
+
+static int by_size(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+double cycles_per_second(void)
+{
+    static double rate;
+    if (rate > 0) return rate;
+    double begin = stats_now(), end;
+    uint64_t cycles = cycles_now();
+    while ((end = stats_now()) < begin + 0.05) {}
+    return rate = (double)(cycles_now() - cycles) / (end - begin);
+}
+
+double processor_now(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+static double pass_seconds(Engine *e, const RaySet *set, size_t stride, double *t)
+{
+    double begin = processor_now();
+    e->shoot(e, set, stride, t);
+    return processor_now() - begin;
+}
+
+Speed measure_speed(Engine *e, const RaySet *set, int repeats, double budget, double *t)
+{
+    Speed s = { .stride = 1 };
+    if (set->n == 0) return s;
+    size_t probe = set->n / PROBE_RAYS + 1;
+    e->shoot(e, set, probe, t);   /* takes the set, warms up */
+    double guess = pass_seconds(e, set, probe, t) * (double)probe;
+    if (guess > budget) s.stride = (size_t)ceil(guess / budget);
+    if (s.stride > probe) s.stride = probe;
+    s.n = (set->n + s.stride - 1) / s.stride;
+    double seconds[MAX_REPEATS];
+    memset(&e->cost.counters, 0, sizeof e->cost.counters);
+    for (int i = 0; i < repeats; i++) seconds[i] = pass_seconds(e, set, s.stride, t);
+    qsort(seconds, (size_t)repeats, sizeof *seconds, by_size);
+    double median = seconds[repeats / 2];
+    s.rays_per_second = (double)s.n / median;
+    s.spread = (seconds[repeats - 1] - seconds[0]) / median;
+    s.cycles_per_ray = cycles_per_second() / s.rays_per_second;
+    return s;
+}
+
+Accuracy measure_accuracy(const Model *m, const RaySet *set, size_t stride, const double *truth, const double *t)
+{
+    Accuracy a = { 0 };
+    double *errors = malloc((set->n + 1) * sizeof *errors), sum = 0;
+    size_t n = 0;
+    for (size_t i = 0, k = 0; i < set->n; i += stride, k++) {
+        bool is_hit = isfinite(t[k]), is_true = isfinite(truth[i]);
+        double error = is_hit && is_true ? (t[k] - truth[i]) / m->diagonal : 0;
+        a.hits += is_hit;
+        a.missed += is_true && (!is_hit || error > OTHER_SHEET);
+        a.wrong += is_hit && (!is_true || error < -OTHER_SHEET);
+        if (is_hit && is_true && fabs(error) <= OTHER_SHEET) errors[n++] = fabs(error), sum += error * error;
+    }
+    qsort(errors, n, sizeof *errors, by_size);
+    if (n > 0 && !set->t_max) {
+        a.largest = errors[n - 1], a.p999 = errors[(size_t)((double)(n - 1) * 0.999)];
+        a.rms = sqrt(sum / (double)n);
+    }
+    free(errors);
+    return a;
+}

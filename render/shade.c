@@ -26,6 +26,7 @@ typedef struct {
 /* How a ray came about. */
 typedef struct {
     int level;
+    bool is_straight;            /* it went on through a surface, without a level of its own */
     double weight;               /* an upper bound of what it adds to the pixel, for adc_bailout */
     RayKind kind;                /* what just happened to it: for the counters */
     bool was_reflected;          /* ever: what objects hide from */
@@ -209,7 +210,7 @@ static Pixel trace_from(Tracer *x, const Surface *at, Vec3 dir, Path path)
 
 static Pixel trace_mirrored(Tracer *x, const Surface *at, Path from, double weight)
 {
-    Path path = { from.level + 1, from.weight * weight, RAY_REFLECTED, true, from.media };
+    Path path = { from.level + 1, false, from.weight * weight, RAY_REFLECTED, true, from.media };
     MediaScope scope = media_open(&x->around);
     Pixel seen = trace_from(x, at, mirrored(at), path);
     media_close(&x->around, scope);
@@ -226,7 +227,8 @@ static Pixel trace_bent(Tracer *x, const Surface *at, Path from, const Crossing 
     if (*is_total) return trace_mirrored(x, at, from, weight);
     Vec3 dir = at->ray->dir;
     if (!is_straight) dir = vec_normalize(vec_add(vec_scale(dir, k), vec_scale(at->normal, k * c - sqrt(s))));
-    Path path = { from.level + !is_straight, from.weight * weight, RAY_TRANSMITTED, from.was_reflected, cross->after };
+    Path path = { from.level + !is_straight, is_straight, from.weight * weight, RAY_TRANSMITTED, from.was_reflected,
+                  cross->after };
     return trace_from(x, at, dir, path);
 }
 
@@ -317,10 +319,11 @@ static void count_ray(Counters *c, RayKind kind)
     if (kind == RAY_TRANSMITTED) c->transmitted_rays++;
 }
 
+/* POV-Ray does not count a ray that goes straight on as a level, but does not let it begin at the last one either. */
 static Pixel trace_ray(Tracer *x, const Ray *ray, Path path)
 {
     const Scene *s = x->scene;
-    if (path.level >= s->max_trace_level || path.weight < s->adc_bailout) return (Pixel){ 0 };
+    if (path.level + path.is_straight >= s->max_trace_level || path.weight < s->adc_bailout) return (Pixel){ 0 };
     count_ray(&x->trace->counters, path.kind);
     Ray r = *ray;
     Hit h;
@@ -334,7 +337,7 @@ Pixel shade_camera_ray(const Scene *s, const Ray *r, int quality, Trace *t)
 {
     ArenaMark mark = arena_mark(t->scratch);
     Tracer x = { s, t, quality, { .scene = s, .scratch = t->scratch, .camera = r->origin } };
-    Pixel seen = trace_ray(&x, r, (Path){ 0, 1, RAY_CAMERA, false, MEDIA_OF_CAMERA });
+    Pixel seen = trace_ray(&x, r, (Path){ 0, false, 1, RAY_CAMERA, false, MEDIA_OF_CAMERA });
     arena_reset(t->scratch, mark);
     return seen;
 }

@@ -16,10 +16,11 @@
 #include <string.h>
 
 #define SLACK 2.0
-#define ON_THE_RAY 2.0       /* a box whose coefficients are within that many errors of zero cannot be told from the ray */
-/* A box on the ray that is longer than this, in radii of the patch, is no tangent point (those are some 2^-26 long): the ray
- * runs in the surface there, and the hit is where it enters. Boxes that a trim declines are not cut up without end. */
-#define IN_THE_SURFACE 0x1p-20
+#define ON_THE_RAY 1.25      /* a box whose coefficients are within that many errors of zero cannot be told from the ray */
+/* A box on the ray that is longer than this, in radii of the patch, is no tangent point (those are some 2^-26 long, 2^-17 at a
+ * cusp): the ray runs in the surface there, and the hit is where it enters. Boxes that a trim declines are not cut up without
+ * end. */
+#define IN_THE_SURFACE 0x1p-8
 enum { MAX_DECLINED = 64 };
 #define MIN_CLIP 0.8         /* a clip that leaves more than this of both sides is followed by a halving: the 20 % rule */
 #define MIN_WIDTH 0x1p-50    /* of the patch: parameters closer than that are one */
@@ -115,17 +116,52 @@ static Range depth_range(const Clip *k, const Net *n)
     return r;
 }
 
+/* The two plane equations over the weight, and Newton's step. */
+typedef struct { double s, t, f1, f2, depth, ds, dt; } Place;
+
+static Place place_at(const Clip *k, double s, double t)
+{
+    const PatchRay *r = k->ray;
+    Vec4 value, by_s, by_t;
+    patch_evaluate(k->p, s, t, &value, &by_s, &by_t);
+    Vec3 o = vec_sub(r->origin, k->p->origin), at = vec_sub(vec4_project(value), o);
+    Vec3 d_s = vec_sub(vec(by_s.x, by_s.y, by_s.z), vec_scale(vec4_project(value), by_s.w));    /* w S_s */
+    Vec3 d_t = vec_sub(vec(by_t.x, by_t.y, by_t.z), vec_scale(vec4_project(value), by_t.w));
+    double a_s = vec_dot(r->n1, d_s), a_t = vec_dot(r->n1, d_t), b_s = vec_dot(r->n2, d_s), b_t = vec_dot(r->n2, d_t);
+    double det = a_s * b_t - a_t * b_s;
+    Place out = { s, t, vec_dot(r->n1, at), vec_dot(r->n2, at), vec_dot(r->d, at), 0, 0 };
+    out.ds = value.w * (a_t * out.f2 - b_t * out.f1) / det, out.dt = value.w * (b_s * out.f1 - a_s * out.f2) / det;
+    return out;
+}
+
+static double residual2(const Place *p) { return p->f1 * p->f1 + p->f2 * p->f2; }
+
+/* The middle of the box, moved by Newton's method as long as that comes nearer to the ray and stays about the box. */
+static Place polish(const Clip *k, const Net *n)
+{
+    double w_s = n->s1 - n->s0, s0 = double_max(n->s0 - w_s, 0), s1 = double_min(n->s1 + w_s, 1);
+    double w_t = n->t1 - n->t0, t0 = double_max(n->t0 - w_t, 0), t1 = double_min(n->t1 + w_t, 1);
+    Place best = place_at(k, 0.5 * (n->s0 + n->s1), 0.5 * (n->t0 + n->t1));
+    for (int step = 0; step < 4; step++) {
+        double s = double_min(double_max(best.s + best.ds, s0), s1), t = double_min(double_max(best.t + best.dt, t0), t1);
+        if (!(isfinite(best.ds) && isfinite(best.dt)) || (s == best.s && t == best.t)) break;
+        Place next = place_at(k, s, t);
+        if (!(residual2(&next) < residual2(&best))) break;
+        best = next;
+    }
+    return best;
+}
+
 static bool report(const Clip *k, const Net *n, bool is_tangent)
 {
-    const Patch *p = k->p;
-    double s = 0.5 * (n->s0 + n->s1), t = 0.5 * (n->t0 + n->t1);
+    Place at = polish(k, n);
+    if (!(at.depth > k->ray->t_min && at.depth < k->ray->t_max)) return false;
     Range depth = depth_range(k, n);
-    double middle = 0.5 * (depth.lo + depth.hi);
-    if (!(middle > k->ray->t_min && middle < k->ray->t_max)) return false;
-    Root root = { .s = s, .t = t, .depth = middle, .depth_error = 0.5 * (depth.hi - depth.lo) + k->rounding,
-                  .distance = (1 + SLACK * ON_THE_RAY) * k->rounding, .is_tangent = is_tangent };
+    double reach = double_max(depth.hi - at.depth, at.depth - depth.lo);
+    Root root = { .s = at.s, .t = at.t, .depth = at.depth, .depth_error = double_max(reach, 0) + k->rounding,
+                  .distance = 2 * k->rounding + sqrt(residual2(&at)), .is_tangent = is_tangent };
     double t_max = k->ray->t_max;
-    bool ended = k->visit(k->context, p, k->ray, &root);
+    bool ended = k->visit(k->context, k->p, k->ray, &root);
     *k->declined += k->ray->t_max >= t_max;
     return ended;
 }
@@ -204,26 +240,39 @@ static void derivative_spread(const Clip *k, const double *g, double by_s, doubl
             *spread_t = double_max(*spread_t, fabs((k_v - 1) * (g[(j + 1) * k_u + i] - g[j * k_u + i]) - by_t));
 }
 
-typedef struct { Range s, t; bool is_empty; } Clipped;
+typedef struct { Range s, t; } Clipped;
+
+static bool is_empty(const Clipped *c) { return c->s.lo > c->s.hi || c->t.lo > c->t.hi; }
+
+static Range meet(Range a, Range b) { return (Range){ double_max(a.lo, b.lo), double_min(a.hi, b.hi) }; }
+
+/* g = m1 a + m2 b, in scratch memory. */
+static double *combine(const Clip *k, const Net *n, double m1, double m2)
+{
+    double *g = ARENA_ARRAY(k->trace->scratch, double, k->n);
+    for (int i = 0; i < k->n; i++) g[i] = m1 * n->a[i] + m2 * n->b[i];
+    return g;
+}
+
+/* The mean Jacobian of (a, b) over the box. */
+typedef struct { double a_s, a_t, b_s, b_t, det; } Mean;
+
+static Mean mean_jacobian(const Clip *k, const Net *n)
+{
+    Mean m;
+    mean_derivatives(k, n->a, &m.a_s, &m.a_t);
+    mean_derivatives(k, n->b, &m.b_s, &m.b_t);
+    m.det = m.a_s * m.b_t - m.a_t * m.b_s;
+    return m;
+}
 
 /* Clips the box by g = A (a, b), A the inverse of the mean Jacobian; notes in n whether that certifies it. */
-static Clipped clip_preconditioned(const Clip *k, Net *n, double error)
+static Clipped clip_by_inverse(const Clip *k, Net *n, const Mean *m, double error)
 {
-    double a_s, a_t, b_s, b_t;
-    mean_derivatives(k, n->a, &a_s, &a_t);
-    mean_derivatives(k, n->b, &b_s, &b_t);
-    double det = a_s * b_t - a_t * b_s, size = hypot(a_s, b_s) * hypot(a_t, b_t);
-    Clipped out = { { 0, 1 }, { 0, 1 }, false };
-    if (!(fabs(det) > 0x1p-40 * size) || !isfinite(1 / det)) return out;
-    double a11 = b_t / det, a12 = -a_t / det, a21 = -b_s / det, a22 = a_s / det;
-    double *g1 = ARENA_ARRAY(k->trace->scratch, double, 2 * k->n), *g2 = g1 + k->n;
-    for (int i = 0; i < k->n; i++) {
-        g1[i] = a11 * n->a[i] + a12 * n->b[i];
-        g2[i] = a21 * n->a[i] + a22 * n->b[i];
-    }
-    out.s = clip_range(k, g1, error * (fabs(a11) + fabs(a12)), true);
-    out.t = clip_range(k, g2, error * (fabs(a21) + fabs(a22)), false);
-    out.is_empty = out.s.lo > out.s.hi || out.t.lo > out.t.hi;
+    double a11 = m->b_t / m->det, a12 = -m->a_t / m->det, a21 = -m->b_s / m->det, a22 = m->a_s / m->det;
+    double *g1 = combine(k, n, a11, a12), *g2 = combine(k, n, a21, a22);
+    Clipped out = { clip_range(k, g1, error * (fabs(a11) + fabs(a12)), true),
+                    clip_range(k, g2, error * (fabs(a21) + fabs(a22)), false) };
     if (!n->is_certified) {   /* |I - A J| < 1 in the maximum norm, from the Bernstein coefficients of A J */
         double ss, st, ts, tt;
         derivative_spread(k, g1, 1, 0, &ss, &st);
@@ -231,6 +280,28 @@ static Clipped clip_preconditioned(const Clip *k, Net *n, double error)
         n->is_certified = ss + st < 0.98 && ts + tt < 0.98;
     }
     return out;
+}
+
+/* Where the Jacobian has no inverse to speak of, the box's image is a needle: (a, b) is turned so that one component runs along
+ * it and the other across, which shows at once whether the needle passes zero. A turn does not enlarge the error. */
+static Clipped clip_by_turning(const Clip *k, const Net *n, const Mean *m, double error)
+{
+    double aa = m->a_s * m->a_s + m->a_t * m->a_t, bb = m->b_s * m->b_s + m->b_t * m->b_t;
+    double angle = 0.5 * atan2(2 * (m->a_s * m->b_s + m->a_t * m->b_t), aa - bb), c = cos(angle), s = sin(angle);
+    double *along = combine(k, n, c, s), *across = combine(k, n, -s, c);
+    error *= fabs(c) + fabs(s);
+    return (Clipped){ meet(clip_range(k, along, error, true), clip_range(k, across, error, true)),
+                      meet(clip_range(k, along, error, false), clip_range(k, across, error, false)) };
+}
+
+/* Below this share of |J_s| |J_t|, the determinant is that of a needle. */
+#define NEEDLE 0x1p-20
+
+static Clipped clip_box(const Clip *k, Net *n, double error)
+{
+    Mean m = mean_jacobian(k, n);
+    bool has_inverse = fabs(m.det) > NEEDLE * hypot(m.a_s, m.b_s) * hypot(m.a_t, m.b_t) && isfinite(1 / m.det);
+    return has_inverse ? clip_by_inverse(k, n, &m, error) : clip_by_turning(k, n, &m, error);
 }
 
 static bool settle(const Clip *k, Net *n);
@@ -264,10 +335,11 @@ static bool settle_in_scratch(const Clip *k, Net *n)
         bool is_point = n->s1 - n->s0 <= MIN_WIDTH && n->t1 - n->t0 <= MIN_WIDTH;
         double size = double_max(double_max(a.hi, -a.lo), double_max(b.hi, -b.lo));
         if (is_point) return report(k, n, !n->is_certified);
-        if (size <= ON_THE_RAY * error) return runs_in_surface(k, n, depth) ? halve(k, n) : report(k, n, !n->is_certified);
+        if (size <= ON_THE_RAY * error)
+            return runs_in_surface(k, n, depth) ? halve(k, n) : report(k, n, !n->is_certified);
 
-        Clipped c = clip_preconditioned(k, n, error);
-        if (c.is_empty) return false;
+        Clipped c = clip_box(k, n, error);
+        if (is_empty(&c)) return false;
         bool is_worth_it = c.s.hi - c.s.lo <= MIN_CLIP || c.t.hi - c.t.lo <= MIN_CLIP;
         restrict_s(k, n, c.s.lo, c.s.hi);
         restrict_t(k, n, c.t.lo, c.t.hi);

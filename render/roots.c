@@ -132,7 +132,7 @@ static int between(int n, const double *c, double lo, double hi, double *x);
 /* The places in (lo, hi) where the derivative vanishes. */
 static int extrema(int n, const double *c, double lo, double hi, double *x)
 {
-    double derivative[ROOTS_MAX_DEGREE];
+    double derivative[ROOTS_MAX_DEGREE] = { 0 };
     for (int i = 1; i <= n; i++) derivative[i - 1] = i * c[i];
     return between(n - 1, derivative, lo, hi, x);
 }

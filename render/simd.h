@@ -13,8 +13,8 @@
 #endif
 
 /* A function compiled for plain x86-64, for AVX2 and for AVX-512, chosen when the program starts. Sanitizers are not ready
- * that early. */
-#if defined(__x86_64__) && defined(__gnu_linux__) && !defined(TRIMRAY_SANITIZED)
+ * that early; clang 14 gives clones a name that no other file can link to. */
+#if defined(__x86_64__) && defined(__gnu_linux__) && !defined(TRIMRAY_SANITIZED) && !defined(__clang__)
 #define EVERY_X86 __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
 #else
 #define EVERY_X86

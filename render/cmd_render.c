@@ -32,6 +32,10 @@ static bool render_options(const Run *run, RenderOptions *out)
     *out = render_options_default(o->width, o->height);
     out->n_threads = run->n_threads;
     out->quality = o->quality;
+    out->block_size = o->block_size;
+    out->antialias = o->antialias;
+    if (!o->antialias_on) out->antialias.method = 0;
+    if (!o->jitter_on) out->antialias.jitter = 0;
     out->measures_time = o->stats != NULL;
     out->progress = !o->is_quiet && isatty(STDERR_FILENO) ? stderr : NULL;
     return options_crop(o->start_column, o->end_column, o->width, &out->x0, &out->x1)
@@ -71,6 +75,13 @@ static void tell(const Run *run, const char *path)
             run->prep_seconds + run->counters.prep_seconds, run->trace_seconds, run->write_seconds, stats_peak_mb());
 }
 
+/* A picture that cannot be POV-Ray's says so. */
+static void warn_of_jitter(const Options *o)
+{
+    if (o->antialias_on && o->jitter_on && o->antialias.jitter > 0 && !o->is_quiet)
+        fputs("trimray: warning: POV-Ray's table of jitter is its own: samples are displaced otherwise (-J: not at all)\n", stderr);
+}
+
 /* Nothing is rendered that could not be written. */
 static int render(Run *run, const RenderOptions *o)
 {
@@ -79,6 +90,7 @@ static int render(Run *run, const RenderOptions *o)
     if (reason) return run_fail(EXIT_FILE, "cannot write %s: %s", path, strerror(reason));
     Film *film = film_new(o->width, o->height);
     if (!film) return run_fail(EXIT_FILE, "no memory for a picture of %d x %d", o->width, o->height);
+    warn_of_jitter(run->options);
     trace(run, o, film);
     int status = run->options->no_output ? EXIT_DONE : write_picture(run, path, film);
     film_free(film);

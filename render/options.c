@@ -1,6 +1,9 @@
 #include "render/options.h"
 
+#include "render/ini.h"
+
 #include <ctype.h>
+#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
@@ -8,6 +11,7 @@
 #define MAX_SIZE 1000000      /* of a picture's side: libpng's own limit */
 #define MAX_THREADS 1024
 #define MAX_NEWTON 1000       /* steps; 10 are plenty */
+#define MAX_INIS 10           /* INI files within one another: POV-Ray's limit */
 
 typedef struct Row Row;
 
@@ -25,7 +29,7 @@ struct Row {
     const char *letters;             /* +W: POV-Ray's switch, in any case; NULL: none */
     const char *key;                 /* Width=: in a POV-Ray INI file; NULL: none */
     const char *name;                /* --width; NULL: none */
-    const char *argument;            /* how --help calls the value; NULL: it may be left out */
+    const char *argument;            /* how --help calls the value; NULL: there is none; [X]: it may be left out */
     int commands;                    /* which commands know it */
     const char *help;                /* NULL: not told */
     Kind kind;
@@ -90,6 +94,13 @@ static bool set_file_type(Options *o, const Row *row, const char *value, bool is
     return set_bits(o, row, value[1] ? value + 1 : "8", true);
 }
 
+static bool set_output_to_file(Options *o, const Row *row, const char *value, bool is_on)
+{
+    (void)row, (void)value;
+    o->no_output = !is_on;
+    return true;
+}
+
 static bool set_library(Options *o, const Row *row, const char *value, bool is_on)
 {
     (void)row, (void)is_on;
@@ -140,6 +151,20 @@ static bool set_flattening(Options *o, const Row *row, const char *value, bool i
         || FAIL(o, "'%s' is not a way of flattening; there are: curvature, adaptive", value);
 }
 
+/* +A, +A0.1, -A */
+static bool set_antialias(Options *o, const Row *row, const char *value, bool is_on)
+{
+    o->antialias_on = is_on;
+    return !*value || read_in_range(o, row, value, &o->antialias.threshold);
+}
+
+/* +J, +J0.5, -J */
+static bool set_jitter(Options *o, const Row *row, const char *value, bool is_on)
+{
+    o->jitter_on = is_on;
+    return !*value || read_in_range(o, row, value, &o->antialias.jitter);
+}
+
 static bool set_nothing(Options *o, const Row *row, const char *value, bool is_on)
 {
     (void)o, (void)row, (void)value, (void)is_on;
@@ -162,6 +187,7 @@ enum { R = COMMAND_RENDER, C = COMMAND_CHECK, S = COMMAND_SHOOT, ALL = R | C | S
 #define REAL(f, a, b)    .kind = KIND_REAL, .field = offsetof(Options, f), .lo = (a), .hi = (b)
 #define FLAG(f)          .kind = KIND_FLAG, .field = offsetof(Options, f)
 #define CUSTOM(function) .kind = KIND_CUSTOM, .set = function
+#define NOTHING(letters, key) { letters, key, NULL, NULL, ALL, NULL, CUSTOM(set_nothing) }   /* cannot change a picture */
 #define MISSING(letters, key) { letters, key, NULL, NULL, ALL, NULL, CUSTOM(set_unsupported) }
 
 static const Row table[] = {
@@ -171,9 +197,25 @@ static const Row table[] = {
     { "W", "Width", "width", "N", ALL, "width of the picture in pixels (default 800)", WHOLE(width, 1, MAX_SIZE) },
     { "H", "Height", "height", "N", ALL, "height of the picture (default 600)", WHOLE(height, 1, MAX_SIZE) },
     { "F", NULL, NULL, "N[8|16]", R, "PNG with 8 (default) or 16 bits a channel; -F: no picture", CUSTOM(set_file_type) },
+    { NULL, "Output_File_Type", NULL, "N", R, NULL, CUSTOM(set_file_type) },
+    { NULL, "Output_To_File", NULL, NULL, R, NULL, CUSTOM(set_output_to_file) },
     { NULL, "Bits_Per_Color", "bits", "8|16", R, "the same", CUSTOM(set_bits) },
     { "UA", "Output_Alpha", "alpha", NULL, R, "write transparency too", FLAG(alpha) },
     { "Q", "Quality", "quality", "0..11", ALL, "how much of the light is computed (default 9: all)", WHOLE(quality, 0, 11) },
+    { "A", "Antialias", "antialias", "[T]", R, "antialiasing, where colours differ by T (default .3) or more; -A: off",
+      CUSTOM(set_antialias), .lo = 0, .hi = 1 },
+    { NULL, "Antialias_Threshold", NULL, "T", R, NULL, REAL(antialias.threshold, 0, 1) },
+    { "AM", "Sampling_Method", NULL, "1|2", R, "how: 1 (default): all samples of a pixel or one; 2: as many as it takes",
+      WHOLE(antialias.method, 1, 2) },
+    { "R", "Antialias_Depth", NULL, "N", R, "1: N x N samples more; 2: a pixel is halved N - 1 times at most (default 3)",
+      WHOLE(antialias.depth, 1, ANTIALIAS_MAX_DEPTH) },
+    { "J", "Jitter", NULL, "[X]", R, "samples are displaced by chance (default with +A), up to X of their distance; -J: not",
+      CUSTOM(set_jitter), .lo = 0, .hi = 1 },
+    { NULL, "Jitter_Amount", NULL, "X", R, NULL, REAL(antialias.jitter, 0, 1) },
+    { NULL, "Antialias_Gamma", "antialias-gamma", "G", R, "colours are compared by their power 1/G (default 2.5)",
+      REAL(antialias.gamma, 0x1p-10, 0x1p10) },
+    { "BS", "Render_Block_Size", NULL, "N", R, "a thread's piece of work, in pixels a side (default 32)",
+      WHOLE(block_size, ANTIALIAS_MIN_BLOCK, MAX_SIZE) },
     { "SC", "Start_Column", NULL, "X", R, "render from this column, counted from 1, or a fraction",
       REAL(start_column, 0, MAX_SIZE) },
     { "EC", "End_Column", NULL, "X", R, "... to this one; the rest of the picture is black", REAL(end_column, 0, MAX_SIZE) },
@@ -198,9 +240,12 @@ static const Row table[] = {
     { "V", "Verbose", "verbose", NULL, ALL, "tell more, on the standard error", FLAG(is_verbose) },
     { NULL, NULL, "quiet", NULL, ALL, "tell errors only", FLAG(is_quiet) },
     { "D", "Display", NULL, NULL, R, "read for POV-Ray's sake: there is no display", CUSTOM(set_nothing) },
+    NOTHING("GA", "All_Console"), NOTHING(NULL, "Test_Abort"), NOTHING(NULL, "Test_Abort_Count"), NOTHING("MB", "Bounding"),
+    NOTHING(NULL, "Bounding_Threshold"), NOTHING(NULL, "Bounding_Method"), NOTHING("UL", "Light_Buffer"),
+    NOTHING("UV", "Vista_Buffer"), NOTHING("UR", "Remove_Bounds"), NOTHING("SU", "Split_Unions"),
+    NOTHING("WL", "Warning_Level"), NOTHING(NULL, "Video_Mode"), NOTHING(NULL, "Palette"), NOTHING(NULL, "Display_Gamma"),
     { NULL, NULL, "help", NULL, ALL, "this text", FLAG(wants_help) },
     { NULL, NULL, "version", NULL, ALL, "the program's version", FLAG(wants_version) },
-    MISSING("A", "Antialias"), MISSING("AM", "Sampling_Method"), MISSING("R", "Antialias_Depth"), MISSING("J", "Jitter"),
     MISSING("C", "Continue_Trace"), MISSING("KFI", "Initial_Frame"), MISSING("KFF", "Final_Frame"),
     MISSING("P", "Pause_When_Done"),
 };
@@ -215,7 +260,8 @@ enum { N_COMMANDS = sizeof commands / sizeof *commands };
 
 /* ---- reading ---- */
 
-static bool needs_value(const Row *row) { return row->kind != KIND_FLAG && row->argument; }
+static bool may_have_value(const Row *row) { return row->kind != KIND_FLAG && row->argument; }
+static bool needs_value(const Row *row) { return may_have_value(row) && *row->argument != '['; }
 
 static bool apply(Options *o, const Row *row, const char *value, bool is_on)
 {
@@ -255,7 +301,7 @@ static bool read_key(Options *o, const char *argument, const char *equals)
         if (!row->key || strlen(row->key) != length || strncasecmp(argument, row->key, length) != 0) continue;
         if (needs_value(row)) return apply(o, row, equals + 1, true);
         if (is_one_of(equals + 1, off)) return apply(o, row, "", false);
-        if (row->kind == KIND_FLAG && !is_one_of(equals + 1, on)) return FAIL(o, "expected on or off");
+        if ((row->kind == KIND_FLAG || may_have_value(row)) && !is_one_of(equals + 1, on)) return FAIL(o, "expected on or off");
         return apply(o, row, "", true);
     }
     return FAIL(o, "unknown setting");
@@ -286,28 +332,66 @@ static bool read_long(Options *o, const char *argument, char *const **next, char
     return apply(o, row, value, true);
 }
 
-/* A bare word is the scene. */
-static bool read_bare(Options *o, const char *word)
+static bool read_scene_name(Options *o, const char *word)
 {
-    size_t length = strlen(word);
-    if (length >= 4 && strcasecmp(word + length - 4, ".ini") == 0) return FAIL(o, "INI files are not yet supported");
     if (o->input) return FAIL(o, "one scene at a time, and %s is named already", o->input);
     o->input = word;
     return true;
 }
 
-static bool read_argument(Options *o, const char *argument, char *const **next, char *const *end)
+static bool read_ini(Options *o, const char *path, const char *section);
+
+/* file.ini or file.ini[section]; another bare word is the scene. */
+static bool read_bare(Options *o, const char *word)
+{
+    char *path = arena_strdup(o->arena, word), *section = strchr(path, '[');
+    char *end = section ? strchr(section, ']') : NULL;
+    if (end && !end[1]) *section++ = *end = '\0';
+    size_t length = strlen(path);
+    if (length < 4 || strcasecmp(path + length - 4, ".ini") != 0) return read_scene_name(o, word);
+    return read_ini(o, path, end ? section : NULL);
+}
+
+/* What does not depend on the argument after it: all but --name value. */
+static bool read_alone(Options *o, const char *argument)
 {
     const char *equals = strchr(argument, '=');
-    if (strncmp(argument, "--", 2) == 0 && argument[2]) return read_long(o, argument, next, end);
     if (*argument == '+' || *argument == '-') return read_switch(o, argument);
     if (equals && !memchr(argument, '/', (size_t)(equals - argument))) return read_key(o, argument, equals);
     return *argument ? read_bare(o, argument) : FAIL(o, "an empty argument");
 }
 
+static bool read_ini_option(void *options, const char *option)
+{
+    Options *o = options;
+    return read_alone(o, option) || FAIL(o, "%s: %s", option, o->error);
+}
+
+static bool read_ini(Options *o, const char *path, const char *section)
+{
+    int line;
+    if (o->n_inis == MAX_INIS) return FAIL(o, "more than %d INI files within one another", MAX_INIS);
+    o->n_inis++;
+    o->error = NULL;
+    bool is_read = ini_read(path, section, o->arena, read_ini_option, o, &line);
+    o->n_inis--;
+    if (is_read) return true;
+    if (line > 0) return FAIL(o, "line %d: %s", line, o->error);
+    return section && errno == ENOENT ? FAIL(o, "there is no section [%s]", section) : FAIL(o, "%s", strerror(errno));
+}
+
+static bool read_argument(Options *o, const char *argument, char *const **next, char *const *end)
+{
+    bool is_long = strncmp(argument, "--", 2) == 0 && argument[2];
+    return is_long ? read_long(o, argument, next, end) : read_alone(o, argument);
+}
+
 bool options_read(int argc, char *const argv[], Arena *a, Options *o)
 {
-    *o = (Options){ .command = COMMAND_RENDER, .width = 800, .height = 600, .bits = 8, .quality = 9, .arena = a };
+    *o = (Options){ .command = COMMAND_RENDER, .width = 800, .height = 600, .bits = 8, .quality = 9,
+                    .antialias = antialias_default(), .jitter_on = true, .block_size = 32, .arena = a };
+    o->antialias.method = 1;
+    o->antialias.jitter = 1;
     char *const *next = argv, *const *end = argv + argc;
     for (int i = 0; next == argv && argc > 0 && i < N_COMMANDS; i++)
         if (strcmp(argv[0], commands[i].name) == 0) o->command = commands[i].command, next++;

@@ -4,6 +4,7 @@
 #define TRIMRAY_OPTIONS_H
 
 #include "parser/parser.h"
+#include "render/antialias.h"
 
 #include <stdio.h>
 
@@ -20,6 +21,9 @@ typedef struct {
     bool alpha;
     int n_threads;                   /* 0: all cores */
     int quality;
+    bool antialias_on, jitter_on;    /* +A, -J */
+    Antialias antialias;             /* as it is when it is on; jitter: when that is on */
+    int block_size;
     double start_column, end_column, start_row, end_row;   /* as POV-Ray reads +SC +EC +SR +ER; 0: not given */
     double clock, version;
     bool clock_on;
@@ -32,6 +36,7 @@ typedef struct {
     const char *rays;                /* shoot: the file of rays */
     bool is_verbose, is_quiet;
     const char *error;               /* set when options_read returned false: what is wrong, in one line */
+    int n_inis;                      /* INI files that are being read, one from within another */
     Arena *arena;                    /* borrowed: texts lie here or in argv */
 } Options;
 

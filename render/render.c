@@ -11,7 +11,7 @@
 #include <stdatomic.h>
 #include <stdlib.h>
 
-enum { TILE = 32 };                                   /* pixels a side: as POV-Ray's */
+enum { TILE = 32 };                                   /* pixels a side where not told otherwise: as POV-Ray's */
 static const size_t STACK_BYTES = (size_t)64 << 20;   /* of a thread: address space, for deep recursion through glass */
 static const double PROGRESS_SECONDS = .1;
 
@@ -34,7 +34,8 @@ typedef struct { Job *job; Counters counters; pthread_t thread; } Worker;
 
 RenderOptions render_options_default(int width, int height)
 {
-    return (RenderOptions){ .width = width, .height = height, .x1 = width, .y1 = height, .quality = 9 };
+    return (RenderOptions){ .width = width, .height = height, .x1 = width, .y1 = height, .quality = 9,
+                            .antialias = antialias_default(), .block_size = TILE };
 }
 
 /* ---- progress ---- */
@@ -60,13 +61,24 @@ static void end_progress(const Job *job)
 
 /* ---- pixels, tiles, threads ---- */
 
-static Pixel render_pixel(const Job *job, int x, int y, Trace *t)
+/* Seeds depend on the place alone: samples off the middle of their pixel are told apart by where they are. */
+static uint64_t seed_at(const RenderOptions *o, double x, double y)
 {
-    const RenderOptions *o = job->options;
-    uint64_t pixel = (uint64_t)y * (uint64_t)o->width + (uint64_t)x, sample = 0;
-    t->seed = hash_combine(hash_mix(pixel), sample);
-    Ray r = camera_ray(&job->scene->camera, x, y, o->width, o->height);
-    return shade_camera_ray(job->scene, &r, o->quality, t);
+    double column = floor(x + .5), row = floor(y + .5);
+    uint64_t pixel = (uint64_t)(int64_t)row * (uint64_t)o->width + (uint64_t)(int64_t)column;
+    uint64_t sample = (uint64_t)(int64_t)((x - column) * 0x1p31) << 32 ^ (uint64_t)(int64_t)((y - row) * 0x1p31);
+    return hash_combine(hash_mix(pixel), sample);
+}
+
+typedef struct { const Job *job; Trace *trace; } Sampler;
+
+static Pixel render_sample(void *context, double x, double y)
+{
+    const Sampler *s = context;
+    const RenderOptions *o = s->job->options;
+    s->trace->seed = seed_at(o, x, y);
+    Ray r = camera_ray(&s->job->scene->camera, x, y, o->width, o->height);
+    return shade_camera_ray(s->job->scene, &r, o->quality, s->trace);
 }
 
 static int lesser(int a, int b) { return a < b ? a : b; }
@@ -74,11 +86,11 @@ static int lesser(int a, int b) { return a < b ? a : b; }
 static void render_tile(const Job *job, int tile, Trace *t)
 {
     const RenderOptions *o = job->options;
-    int x0 = o->x0 + tile % job->n_across * TILE, y0 = o->y0 + tile / job->n_across * TILE;
-    int x1 = lesser(x0 + TILE, o->x1), y1 = lesser(y0 + TILE, o->y1);
-    for (int y = y0; y < y1; y++)
-        for (int x = x0; x < x1; x++)
-            job->film->pixels[(size_t)y * (size_t)o->width + (size_t)x] = render_pixel(job, x, y, t);
+    Sampler sampler = { job, t };
+    int x0 = o->x0 + tile % job->n_across * o->block_size, y0 = o->y0 + tile / job->n_across * o->block_size;
+    int x1 = lesser(x0 + o->block_size, o->x1), y1 = lesser(y0 + o->block_size, o->y1);
+    Pixel *out = job->film->pixels + (size_t)y0 * (size_t)o->width + (size_t)x0;
+    antialias_block(&o->antialias, x0, y0, x1, y1, render_sample, &sampler, t->scratch, out, (size_t)o->width);
 }
 
 static void *work(void *context)
@@ -125,13 +137,14 @@ static int run_workers(Worker *workers, int n)
     return n_started > 0 ? n_started : 1;
 }
 
-static int tiles(int from, int to) { return to > from ? (to - from + TILE - 1) / TILE : 0; }
+static int tiles(int from, int to, int size) { return to > from ? (to - from + size - 1) / size : 0; }
 
 RenderResult render_scene(Scene *s, const RenderOptions *o, Film *film)
 {
     if (!s->tree) scene_prepare(s);
-    Job job = { .scene = s, .options = o, .film = film, .n_across = tiles(o->x0, o->x1), .start = stats_now() };
-    job.n_tiles = job.n_across * tiles(o->y0, o->y1);
+    Job job = { .scene = s, .options = o, .film = film, .start = stats_now() };
+    job.n_across = tiles(o->x0, o->x1, o->block_size);
+    job.n_tiles = job.n_across * tiles(o->y0, o->y1, o->block_size);
     int n = lesser(o->n_threads > 0 ? o->n_threads : n_cores(), job.n_tiles > 0 ? job.n_tiles : 1);
     Worker *workers = calloc((size_t)n, sizeof *workers), alone = { 0 };
     if (!workers) n = 1;

@@ -2,6 +2,7 @@
 #ifndef TRIMRAY_RENDER_H
 #define TRIMRAY_RENDER_H
 
+#include "render/antialias.h"
 #include "render/film.h"
 #include "render/scene.h"
 
@@ -12,6 +13,8 @@ typedef struct {
     int x0, y0, x1, y1;         /* the part to render: [x0, x1) x [y0, y1) */
     int n_threads;              /* 0: all cores */
     int quality;                /* +Q: 0 to 11, default 9 */
+    Antialias antialias;
+    int block_size;             /* pixels a side that one thread takes at a time: 32. Shows with antialiasing method 1 */
     bool measures_time;         /* fill Counters.nurbs_seconds */
     FILE *progress;             /* NULL: silent */
 } RenderOptions;

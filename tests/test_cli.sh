@@ -119,7 +119,7 @@ run check folder/includes.pov +Llibrary
 ends_with 1; says "library/radius.inc:1:"
 
 test=a_wrong_command_line_is_refused
-for wrong in +Wabc +W0 +Q99 +FT +A0.3 --nonsense --stats Colour=2 'second scene'; do
+for wrong in +Wabc +W0 +Q99 +FT +A2.0 --nonsense --stats Colour=2 'second scene'; do
     run two.pov "$wrong"
     ends_with 2; says "$wrong: "; absent two.png
 done

@@ -38,6 +38,8 @@ static void the_spellings_of_an_option_mean_the_same(void **state)
         { "+Oa.png", "-oa.png", "Output_File_Name=a.png", "--output=a.png" },
         { "+FN16", "+fn16", "Bits_Per_Color=16", "--bits=16" },
         { "+Q4", "-q4", "Quality=4", "--quality=4" },
+        { "+A", "+a", "Antialias=on", "--antialias" },
+        { "+A0.3", "+a.3", "antialias=yes", "--antialias=0.3" },
     };
     for (size_t i = 0; i < sizeof spellings / sizeof *spellings; i++) {
         Options first, o;
@@ -46,7 +48,8 @@ static void the_spellings_of_an_option_mean_the_same(void **state)
             CHECK(read(&o, spellings[i][k], NULL), "%s: %s", spellings[i][k], o.error);
             CHECK(o.width == first.width && o.n_threads == first.n_threads && o.clock == first.clock
                   && o.clock_on == first.clock_on && o.alpha == first.alpha && o.bits == first.bits
-                  && o.quality == first.quality, "%s", spellings[i][k]);
+                  && o.quality == first.quality && o.antialias_on == first.antialias_on
+                  && o.antialias.threshold == first.antialias.threshold, "%s", spellings[i][k]);
             CHECK(!o.output == !first.output && (!o.output || strcmp(o.output, first.output) == 0), "%s", spellings[i][k]);
         }
     }
@@ -68,6 +71,65 @@ static void switches_set_what_they_say(void **state)
     assert_string_equal(o.library_paths[0], "/a");
     assert_string_equal(o.library_paths[1], "b");
     assert_string_equal(o.input, "scene.pov");
+}
+
+static void antialiasing_is_povrays(void **state)
+{
+    (void)state;
+    Options o;
+    assert_true(read(&o, NULL));
+    assert_true(!o.antialias_on && o.jitter_on && o.antialias.threshold == .3 && o.antialias.depth == 3);
+    assert_true(o.antialias.method == 1 && o.antialias.gamma == 2.5 && o.block_size == 32);
+    assert_true(read(&o, "+A0.1", "+AM2", "+R5", "-J", "+BS16", "Antialias_Gamma=1", NULL));
+    assert_true(o.antialias_on && !o.jitter_on && o.antialias.threshold == .1 && o.antialias.method == 2);
+    assert_true(o.antialias.depth == 5 && o.antialias.gamma == 1 && o.block_size == 16);
+    assert_true(read(&o, "+A", "+J0.5", "-A", NULL));
+    assert_true(!o.antialias_on && o.jitter_on && o.antialias.jitter == .5);
+    check_refused("+A2.0", "+A2.0: 2.0 is not in the range 0 to 1");
+    check_refused("+AM3", "+AM3: 3 is not in the range 1 to 2");
+    check_refused("+R0", "+R0: 0 is not in the range 1 to 9");
+    check_refused("Antialias=0.3", "Antialias=0.3: expected on or off");
+}
+
+static const char *ini_file(const char *text)
+{
+    static char path[] = "/tmp/trimray-test-XXXXXX.ini";
+    strcpy(path, "/tmp/trimray-test-XXXXXX.ini");
+    FILE *file = fdopen(mkstemps(path, 4), "w");
+    CHECK(file && fputs(text, file) >= 0 && fclose(file) == 0, "%s", path);
+    return path;
+}
+
+static void ini_files_say_what_a_command_line_says(void **state)
+{
+    (void)state;
+    Options o;
+    const char *path = ini_file("; a comment\n Width = 320 ; and another\n+H240 -J\r\nLibrary_Path=\"/a;b\"\n\nAntialias=on\n"
+                                "[Large]\nWidth=1000\n[small]\nwidth=10\nheight=20");
+    assert_true(read(&o, path, NULL));
+    assert_true(o.width == 320 && o.height == 240 && !o.jitter_on && o.antialias_on && o.n_library_paths == 1);
+    assert_string_equal(o.library_paths[0], "/a;b");
+    assert_true(read(&o, "+W9", "+H9", arena_printf(arena, "%s[small]", path), "+H21", NULL));
+    assert_true(o.width == 10 && o.height == 21 && o.antialias_on);
+    const char *other = arena_printf(arena, "%s[huge]", path);
+    check_refused(other, arena_printf(arena, "%s: there is no section [huge]", other));
+    remove(path);
+    path = ini_file("Width=320\nHeight=tall\n");
+    check_refused(path, arena_printf(arena, "%s: line 2: Height=tall: 'tall' is not a number", path));
+    remove(path);
+}
+
+static void an_ini_file_that_names_itself_is_an_error(void **state)
+{
+    (void)state;
+    Options o;
+    const char *path = ini_file("Width=320\n");
+    FILE *file = fopen(path, "w");
+    fprintf(file, "%s\n", path);
+    fclose(file);
+    assert_false(read(&o, path, NULL));
+    CHECK(strstr(o.error, "more than 10 INI files within one another"), "%s", o.error);
+    remove(path);
 }
 
 static void defaults_are_the_documented_ones(void **state)
@@ -129,10 +191,9 @@ static void what_is_not_there_is_named(void **state)
 {
     (void)state;
     Options o;
-    check_refused("+A0.3", "+A0.3: Antialias is not yet supported");
-    check_refused("+AM2", "+AM2: Sampling_Method is not yet supported");
+    check_refused("+C", "+C: Continue_Trace is not yet supported");
     check_refused("+KFI1", "+KFI1: Initial_Frame is not yet supported");
-    check_refused("quality.ini", "quality.ini: INI files are not yet supported");
+    check_refused("nowhere.ini", "nowhere.ini: No such file or directory");
     check_refused("+XY", "+XY: unknown switch");
     check_refused("Colour=2", "Colour=2: unknown setting");
     check_refused("--rays=r", "--rays=r: means nothing to this command");
@@ -190,6 +251,9 @@ int main(void)
         cmocka_unit_test(the_spellings_of_an_option_mean_the_same),
         cmocka_unit_test(switches_set_what_they_say),
         cmocka_unit_test(defaults_are_the_documented_ones),
+        cmocka_unit_test(antialiasing_is_povrays),
+        cmocka_unit_test(ini_files_say_what_a_command_line_says),
+        cmocka_unit_test(an_ini_file_that_names_itself_is_an_error),
         cmocka_unit_test(later_settings_win),
         cmocka_unit_test(long_options_may_be_cut_short_while_clear),
         cmocka_unit_test(numbers_are_checked),

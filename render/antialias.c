@@ -1,0 +1,191 @@
+/* Antialiasing. Method 1 takes one sample in the middle of each pixel, and a grid of depth^2 more where it differs from the
+ * pixel before it or above it. Method 2 samples the corners of pixels, and divides those whose corners differ. Colours are
+ * averaged as light: linear, and before they are clipped. */
+#include "render/antialias.h"
+
+#include "render/hash.h"
+
+#include <assert.h>
+#include <string.h>
+
+typedef struct {
+    const Antialias *options;
+    AntialiasSample sample;
+    void *context;
+    int x0, y0, width, height;
+} Block;
+
+/* ---- colours ---- */
+
+static double as_seen(double c, double gamma) { return gamma == 1 ? fmax(c, 0) : pow(fmax(c, 0), 1 / gamma); }
+
+static bool differ(const Antialias *a, const Pixel *p, const Pixel *q)
+{
+    double distance = fabs(as_seen(p->r, a->gamma) - as_seen(q->r, a->gamma)) +
+                      fabs(as_seen(p->g, a->gamma) - as_seen(q->g, a->gamma)) +
+                      fabs(as_seen(p->b, a->gamma) - as_seen(q->b, a->gamma)) + fabs(p->transmit - q->transmit);
+    return distance >= a->threshold;
+}
+
+static void add(Pixel *sum, const Pixel *p) { sum->r += p->r, sum->g += p->g, sum->b += p->b, sum->transmit += p->transmit; }
+
+static Pixel scaled(Pixel p, double by) { return (Pixel){ p.r * by, p.g * by, p.b * by, p.transmit * by }; }
+
+/* ---- places ---- */
+
+static uint64_t bits_of(double x)
+{
+    uint64_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    return bits;
+}
+
+/* Displaced by chance that depends on the place alone; `spacing` is the distance between samples. */
+static Pixel sample_near(const Block *b, double x, double y, double spacing)
+{
+    double reach = b->options->jitter * spacing;
+    if (reach == 0) return b->sample(b->context, x, y);
+    uint64_t chance = hash_combine(hash_mix(bits_of(x)), bits_of(y));
+    return b->sample(b->context, x + reach * (hash_unit(chance) - .5), y + reach * (hash_unit(hash_mix(chance)) - .5));
+}
+
+/* ---- method 1 ---- */
+
+typedef struct { Pixel value; bool is_done; } Cell;
+
+static void refine(const Block *b, Cell *c, int x, int y)
+{
+    int n = b->options->depth;
+    for (int j = 0; j < n; j++)
+        for (int i = 0; i < n; i++) {
+            Pixel p = sample_near(b, x - .5 + (i + .5) / n, y - .5 + (j + .5) / n, 1. / n);
+            add(&c->value, &p);
+        }
+    c->value = scaled(c->value, 1. / (n * n + 1));
+    c->is_done = true;
+}
+
+static Cell first_look(const Block *b, int x, int y, bool is_border)
+{
+    return (Cell){ b->sample(b->context, x, y), is_border };
+}
+
+static void look_at(const Block *b, Cell *here, Cell *left, Cell *above, int x, int y)
+{
+    *here = first_look(b, x, y, false);
+    bool differs_left = differ(b->options, &here->value, &left->value);
+    bool differs_above = differ(b->options, &here->value, &above->value);
+    if (differs_left && !left->is_done) refine(b, left, x - 1, y);
+    if (differs_above && !above->is_done) refine(b, above, x, y - 1);
+    if (differs_left || differs_above) refine(b, here, x, y);
+}
+
+/* Cells of the block with a border above and on the left. */
+static void method_1(const Block *b, Arena *scratch, Pixel *out, size_t stride)
+{
+    size_t across = (size_t)b->width + 1;
+    Cell *cells = ARENA_ARRAY(scratch, Cell, across * ((size_t)b->height + 1));
+    for (int i = 0; i < b->width; i++) cells[i + 1] = first_look(b, b->x0 + i, b->y0 - 1, true);
+    for (int j = 0; j < b->height; j++) {
+        Cell *row = cells + across * ((size_t)j + 1);
+        row[0] = first_look(b, b->x0 - 1, b->y0 + j, true);
+        for (int i = 0; i < b->width; i++) {
+            Cell *here = &row[i + 1];
+            look_at(b, here, here - 1, here - across, b->x0 + i, b->y0 + j);
+        }
+    }
+    for (int j = 0; j < b->height; j++)
+        for (int i = 0; i < b->width; i++)
+            out[(size_t)j * stride + (size_t)i] = cells[across * ((size_t)j + 1) + (size_t)i + 1].value;
+}
+
+/* ---- method 2 ---- */
+
+/* The samples of one pixel: a grid of (2^(depth - 1) + 1)^2 places, each asked for once at most. */
+typedef struct {
+    const Block *block;
+    int x, y, n;                 /* the pixel; n intervals a side */
+    Pixel *values;
+    bool *is_known;
+} Grid;
+
+static const Pixel *grid_at(const Grid *g, int i, int j)
+{
+    size_t k = (size_t)j * ((size_t)g->n + 1) + (size_t)i;
+    if (!g->is_known[k]) {
+        g->values[k] = sample_near(g->block, g->x - .5 + (double)i / g->n, g->y - .5 + (double)j / g->n, 1. / g->n);
+        g->is_known[k] = true;
+    }
+    return &g->values[k];
+}
+
+static bool any_differ(const Antialias *a, const Pixel *const corner[4])
+{
+    for (int i = 0; i < 4; i++)
+        for (int j = 0; j < i; j++)
+            if (differ(a, corner[i], corner[j])) return true;
+    return false;
+}
+
+/* The mean over the square of `size` intervals at (i, j). */
+static Pixel square_mean(const Grid *g, int i, int j, int size)
+{
+    const Pixel *const corner[4] = { grid_at(g, i, j), grid_at(g, i + size, j), grid_at(g, i, j + size),
+                                     grid_at(g, i + size, j + size) };
+    Pixel sum = { 0 };
+    bool is_divided = size > 1 && any_differ(g->block->options, corner);
+    for (int k = 0; k < 4; k++) {
+        int half = size / 2;
+        Pixel p = is_divided ? square_mean(g, i + k % 2 * half, j + k / 2 * half, half) : *corner[k];
+        add(&sum, &p);
+    }
+    return scaled(sum, .25);
+}
+
+/* `above` and `below` point to the pixel's two corners each. */
+static Pixel divide_pixel(Grid *g, int x, int y, const Pixel *above, const Pixel *below)
+{
+    size_t last = (size_t)g->n, bottom = last * (last + 1);
+    const size_t places[4] = { 0, last, bottom, bottom + last };
+    const Pixel corner[4] = { above[0], above[1], below[0], below[1] };
+    memset(g->is_known, 0, (bottom + last + 1) * sizeof *g->is_known);
+    for (int k = 0; k < 4; k++) g->values[places[k]] = corner[k], g->is_known[places[k]] = true;
+    g->x = x, g->y = y;
+    return square_mean(g, 0, 0, g->n);
+}
+
+/* Pixels have their corners in common. */
+static void method_2(const Block *b, Arena *scratch, Pixel *out, size_t stride)
+{
+    int n = 1 << (b->options->depth - 1);
+    size_t across = (size_t)b->width + 1, n_places = ((size_t)n + 1) * ((size_t)n + 1);
+    Pixel *corners = ARENA_ARRAY(scratch, Pixel, across * ((size_t)b->height + 1));
+    Grid g = { .block = b, .n = n };
+    g.values = ARENA_ARRAY(scratch, Pixel, n_places);
+    g.is_known = ARENA_ARRAY(scratch, bool, n_places);
+    for (int j = 0; j <= b->height; j++)
+        for (int i = 0; i <= b->width; i++)
+            corners[(size_t)j * across + (size_t)i] = sample_near(b, b->x0 + i - .5, b->y0 + j - .5, 1. / n);
+    for (int j = 0; j < b->height; j++)
+        for (int i = 0; i < b->width; i++) {
+            const Pixel *above = corners + (size_t)j * across + (size_t)i;
+            out[(size_t)j * stride + (size_t)i] = divide_pixel(&g, b->x0 + i, b->y0 + j, above, above + across);
+        }
+}
+
+void antialias_block(const Antialias *a, int x0, int y0, int x1, int y1, AntialiasSample sample, void *context,
+                     Arena *scratch, Pixel *out, size_t stride)
+{
+    Block b = { a, sample, context, x0, y0, x1 - x0, y1 - y0 };
+    ArenaMark mark = arena_mark(scratch);
+    assert(a->depth >= 1 && a->depth <= ANTIALIAS_MAX_DEPTH);
+    if (a->method == 2) {
+        method_2(&b, scratch, out, stride);
+    } else if (a->method == 1) {
+        method_1(&b, scratch, out, stride);
+    } else {
+        for (int j = 0; j < b.height; j++)
+            for (int i = 0; i < b.width; i++) out[(size_t)j * stride + (size_t)i] = sample(context, x0 + i, y0 + j);
+    }
+    arena_reset(scratch, mark);
+}

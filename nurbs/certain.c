@@ -196,10 +196,22 @@ static bool visit_patch(void *context, uint32_t i, const Ray *r, double *t_max, 
     return ended;
 }
 
+/* Sets t->frame for the ray's direction, unless it is there from the surface before; the direction's length. */
+static double use_frame(const Ray *r, Trace *t)
+{
+    Vec3 a = r->dir, b = t->frame.dir;
+    if (a.x == b.x && a.y == b.y && a.z == b.z) return t->frame.length;
+    PatchRay p = patch_ray(r->origin, vec_normalize(a), 0, 0);
+    t->frame.dir = a, t->frame.length = vec_length(a);
+    t->frame.d = p.d, t->frame.n1 = p.n1, t->frame.n2 = p.n2;
+    return t->frame.length;
+}
+
 static bool search_patches(Search *k, const Ray *r, double t_max, Trace *t)
 {
-    k->length = vec_length(r->dir);
-    k->ray = patch_ray(r->origin, vec_normalize(r->dir), r->t_min * k->length, t_max * k->length);
+    k->length = use_frame(r, t);
+    k->ray = (PatchRay){ .origin = r->origin, .d = t->frame.d, .n1 = t->frame.n1, .n2 = t->frame.n2,
+                         .t_min = r->t_min * k->length, .t_max = t_max * k->length };
     if (t->root.seed == t->seed) k->ray.guess = t->root.leaf, k->ray.guess_s = t->root.s, k->ray.guess_t = t->root.t;
     bvh_traverse(k->tree->bvh, r, &t_max, visit_patch, k, t);
     return k->found;

@@ -53,6 +53,7 @@ typedef struct {
     PatchPoint last;               /* evaluated at (s - ds, t - dt) */
     double ds, dt;
     double j11, j12, j21, j22, det;
+    double contraction;            /* q of the frame's certificate */
 } Solve;
 
 ALWAYS_INLINE void set_jacobian(Solve *k, Vec3 a, Vec3 b)
@@ -94,6 +95,18 @@ ALWAYS_INLINE NewtonResult place_of_root(const Solve *k)
     return is_in ? NEWTON_INSIDE : NEWTON_OUTSIDE;
 }
 
+/* Is it certain, from the Newton step (ds, dt) at (s, t), that the patch has no root? Let J = J_m (I + E_2) here and J_m (I +
+ * E_1) on average on the way to a root x*: both |E| <= q in the frame's norm. Then x* - x = (I + E_1)^-1 (I + E_2) step, so x* is
+ * within 2q/(1-q) |step| of x + step; if that is nearer than the patch, there is no such root. */
+ALWAYS_INLINE bool proves_miss(const Solve *k, double ds, double dt)
+{
+    const Patch *p = k->p;
+    double s = k->s + ds, t = k->t + dt;
+    double out_s = 2 * p->half_u * double_max(double_max(-s, s - 1), 0), out_t = 2 * p->half_v * double_max(double_max(-t, t - 1), 0);
+    double step_s = 2 * p->half_u * ds, step_t = 2 * p->half_v * dt, reach = 2 * k->contraction / (1 - k->contraction);
+    return out_s * out_s + out_t * out_t > 1.0001 * reach * reach * (step_s * step_s + step_t * step_t);
+}
+
 /* From (s, t) to the root of F in the patch with its margin, if there is one. */
 ALWAYS_INLINE NewtonResult newton(Solve *k, Trace *trace)
 {
@@ -107,6 +120,9 @@ ALWAYS_INLINE NewtonResult newton(Solve *k, Trace *trace)
         double f1 = vec_dot(k->r->n1, vec_sub(h, at)), f2 = vec_dot(k->r->n2, vec_sub(h, at)), scale = 1 / k->det;
         double ds = (k->j12 * f2 - k->j22 * f1) * scale, dt = (k->j21 * f1 - k->j11 * f2) * scale;
         double s = clamped(k->s + ds, lo, hi), t = clamped(k->t + dt, lo, hi);
+        bool leaves = s != k->s + ds || t != k->t + dt;
+        if (leaves && proves_miss(k, ds, dt)) return NEWTON_OUTSIDE;
+        if (leaves && step > 2) return NEWTON_UNDECIDED;
         k->ds = s - k->s, k->dt = t - k->t, k->s = s, k->t = t;
         if (fabs(ds) < LAST_STEP && fabs(dt) < LAST_STEP) return place_of_root(k);
     }
@@ -126,7 +142,8 @@ ALWAYS_INLINE FrameResult frame_test(Solve *k)
     double column_v2 = k->j12 * k->j12 + k->j22 * k->j22, column_u2 = k->j11 * k->j11 + k->j21 * k->j21;   /* at most 1 */
     if (fabs(x_s) > p->half_u * det + sqrt(column_v2) * slack) return FRAME_MISS;
     if (fabs(x_t) > p->half_v * det + sqrt(column_u2) * slack) return FRAME_MISS;
-    if (!((column_u2 + column_v2) * p->variation * p->variation < 0.98 * det * det)) return FRAME_UNDECIDED;
+    k->contraction = sqrt(column_u2 + column_v2) * p->variation / det;
+    if (!(k->contraction < 0.98)) return FRAME_UNDECIDED;
     const double lo = -PATCH_MARGIN, hi = 1 + PATCH_MARGIN;
     k->s = clamped(0.5 + 0.5 * x_s / (k->det * p->half_u), lo, hi);
     k->t = clamped(0.5 + 0.5 * x_t / (k->det * p->half_v), lo, hi);

@@ -19,7 +19,7 @@ typedef struct {
     double guess_s, guess_t;
 } PatchRay;
 
-PatchRay patch_ray(Vec3 origin, Vec3 dir, double t_min, double t_max);
+PatchRay patch_ray(Vec3 origin, Vec3 dir, double t_min, double t_max);    /* dir: unit */
 
 typedef struct {
     double s, t;             /* local parameters, in [0, 1] */

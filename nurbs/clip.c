@@ -117,7 +117,10 @@ static Range depth_range(const Clip *k, const Net *n)
 }
 
 /* The two plane equations over the weight, and Newton's step. */
-typedef struct { double s, t, f1, f2, depth, ds, dt; } Place;
+typedef struct {
+    double s, t, f1, f2, depth, ds, dt;
+    double slope;            /* how much farther than F the depth moves: |d S_s|, |d S_t| through the inverse Jacobian */
+} Place;
 
 static Place place_at(const Clip *k, double s, double t)
 {
@@ -129,7 +132,8 @@ static Place place_at(const Clip *k, double s, double t)
     Vec3 d_t = vec_sub(vec(by_t.x, by_t.y, by_t.z), vec_scale(vec4_project(value), by_t.w));
     double a_s = vec_dot(r->n1, d_s), a_t = vec_dot(r->n1, d_t), b_s = vec_dot(r->n2, d_s), b_t = vec_dot(r->n2, d_t);
     double det = a_s * b_t - a_t * b_s;
-    Place out = { s, t, vec_dot(r->n1, at), vec_dot(r->n2, at), vec_dot(r->d, at), 0, 0 };
+    Place out = { .s = s, .t = t, .f1 = vec_dot(r->n1, at), .f2 = vec_dot(r->n2, at), .depth = vec_dot(r->d, at) };
+    out.slope = (fabs(vec_dot(r->d, d_s)) * hypot(a_t, b_t) + fabs(vec_dot(r->d, d_t)) * hypot(a_s, b_s)) / fabs(det);
     out.ds = value.w * (a_t * out.f2 - b_t * out.f1) / det, out.dt = value.w * (b_s * out.f1 - a_s * out.f2) / det;
     return out;
 }
@@ -152,18 +156,38 @@ static Place polish(const Clip *k, const Net *n)
     return best;
 }
 
-static bool report(const Clip *k, const Net *n, bool is_tangent)
+static bool report_at(const Clip *k, const Place *at, double depth_error, bool is_tangent)
 {
-    Place at = polish(k, n);
-    if (!(at.depth > k->ray->t_min && at.depth < k->ray->t_max)) return false;
-    Range depth = depth_range(k, n);
-    double reach = double_max(depth.hi - at.depth, at.depth - depth.lo);
-    Root root = { .s = at.s, .t = at.t, .depth = at.depth, .depth_error = double_max(reach, 0) + k->rounding,
-                  .distance = 2 * k->rounding + sqrt(residual2(&at)), .is_tangent = is_tangent };
+    if (!(at->depth > k->ray->t_min && at->depth < k->ray->t_max)) return false;
+    Root root = { .s = at->s, .t = at->t, .depth = at->depth, .depth_error = depth_error,
+                  .distance = 2 * k->rounding + sqrt(residual2(at)), .is_tangent = is_tangent };
     double t_max = k->ray->t_max;
     bool ended = k->visit(k->context, k->p, k->ray, &root);
     *k->declined += k->ray->t_max >= t_max;
     return ended;
+}
+
+/* What is left of a box that cannot be cut any more, or lies on the ray. */
+static bool report(const Clip *k, const Net *n, bool is_tangent)
+{
+    Place at = polish(k, n);
+    Range depth = depth_range(k, n);
+    double reach = double_max(depth.hi - at.depth, at.depth - depth.lo);
+    return report_at(k, &at, double_max(reach, 0) + k->rounding, is_tangent);
+}
+
+/* A box with at most one root: Newton's method from its middle, if it ends well inside. Else clipping goes on. */
+static bool finish(const Clip *k, const Net *n, Place *root)
+{
+    *root = place_at(k, 0.5 * (n->s0 + n->s1), 0.5 * (n->t0 + n->t1));
+    for (int step = 0; step < 6; step++) {
+        double s = root->s + root->ds, t = root->t + root->dt;
+        bool is_last = fabs(root->ds) < 0x1p-26 && fabs(root->dt) < 0x1p-26;
+        if (!(s > n->s0 && s < n->s1 && t > n->t0 && t < n->t1)) return false;
+        *root = place_at(k, s, t);
+        if (is_last) return true;
+    }
+    return false;
 }
 
 /* Is a box on the ray to be cut further, to find where the ray enters the surface? */
@@ -340,6 +364,8 @@ static bool settle_in_scratch(const Clip *k, Net *n)
 
         Clipped c = clip_box(k, n, error);
         if (is_empty(&c)) return false;
+        Place root;
+        if (n->is_certified && finish(k, n, &root)) return report_at(k, &root, k->rounding * (1 + root.slope), false);
         bool is_worth_it = c.s.hi - c.s.lo <= MIN_CLIP || c.t.hi - c.t.lo <= MIN_CLIP;
         restrict_s(k, n, c.s.lo, c.s.hi);
         restrict_t(k, n, c.t.lo, c.t.hi);

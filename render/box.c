@@ -3,18 +3,6 @@
 
 #include <float.h>
 
-float float_down(double x)
-{
-    float f = (float)x;
-    return f > x ? nextafterf(f, -INFINITY) : f;
-}
-
-float float_up(double x)
-{
-    float f = (float)x;
-    return f < x ? nextafterf(f, INFINITY) : f;
-}
-
 Box box_empty(void)
 {
     return (Box){ { INFINITY, INFINITY, INFINITY }, { -INFINITY, -INFINITY, -INFINITY } };

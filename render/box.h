@@ -6,6 +6,8 @@
 #include "render/vec.h"
 
 #include <stdbool.h>
+#include <stdint.h>
+#include <string.h>
 
 typedef struct { float lo[3], hi[3]; } Box;
 
@@ -25,8 +27,20 @@ double box_area(Box b);                        /* 0 if empty; may be +inf */
 Vec3 box_centre(Box b);
 double box_diagonal(Box b);
 
-float float_down(double x);                    /* the largest float <= x */
-float float_up(double x);                      /* the smallest float >= x */
+/* The neighbour of a float that is not NaN: towards -INFINITY (up -1) or INFINITY (up 1). */
+static inline float float_neighbour(float f, int up)
+{
+    int32_t bits;
+    memcpy(&bits, &f, sizeof bits);
+    if (f == 0) return up > 0 ? 0x1p-149f : -0x1p-149f;
+    bits += (f > 0) == (up > 0) ? 1 : -1;
+    memcpy(&f, &bits, sizeof f);
+    return f;
+}
+
+/* The largest float <= x, the smallest >= x. */
+static inline float float_down(double x) { float f = (float)x; return (double)f > x ? float_neighbour(f, -1) : f; }
+static inline float float_up(double x) { float f = (float)x; return (double)f < x ? float_neighbour(f, 1) : f; }
 
 /* What the slab test needs of a ray; made once per ray and tree. inverse[k] = 1 / dir[k] keeps the sign of zero. */
 typedef struct { double origin[3], inverse[3]; int is_negative[3]; } BoxRay;

@@ -28,6 +28,7 @@ struct WideBvh {
     const WideNode *nodes;
     uint32_t n_nodes;
     Box bounds;
+    double largest, diagonal;      /* of the coordinates of the bounds */
 };
 
 /* ---- collapsing ---- */
@@ -84,7 +85,10 @@ WideBvh *bvh_wide_build(Arena *a, const BvhNode *nodes, const uint32_t *items)
     Collapse c = { .nodes = nodes, .items = items, .arena = arena_new() };
     collapse(&c, 0);
     WideBvh *w = ARENA_NEW(a, WideBvh);
-    *w = (WideBvh){ arena_copy(a, c.wide, c.n_wide, sizeof *c.wide), (uint32_t)c.n_wide, nodes[0].box };
+    *w = (WideBvh){ .nodes = arena_copy(a, c.wide, c.n_wide, sizeof *c.wide), .n_nodes = (uint32_t)c.n_wide,
+                    .bounds = nodes[0].box, .diagonal = box_diagonal(nodes[0].box) };
+    for (int k = 0; k < 3; k++)
+        w->largest = double_max(w->largest, double_max(fabs(w->bounds.lo[k]), fabs(w->bounds.hi[k])));
     arena_free(c.arena);
     return w;
 }
@@ -110,20 +114,30 @@ static void prepare_axis(WideRay *w, int k, double o, double d, double lo, doubl
     w->near_side[k] = signbit(d) != 0;
 }
 
+/* Where the ray enters the tree; false: it does not, before t_max. An origin that is no farther away than NEAR times the tree's
+ * coordinates stays where it is: the boxes then swell by NEAR 2^-21 of those. */
+#define NEAR 16
+
+static bool find_start(const WideBvh *b, const Ray *r, double t_max, double *start)
+{
+    *start = r->t_min;
+    if (vec_max_abs(r->origin) <= NEAR * b->largest && fabs(r->t_min) <= NEAR * b->largest) return true;
+    BoxRay box = box_ray(r->origin, r->dir);
+    return box_hit(&b->bounds, &box, r->t_min, t_max, start);
+}
+
 /* false: the ray does not meet the tree's bounds before t_max. */
 static bool prepare(const WideBvh *b, const Ray *r, double t_max, WideRay *w)
 {
-    BoxRay box = box_ray(r->origin, r->dir);
-    if (!box_hit(&b->bounds, &box, r->t_min, t_max, &w->start)) return false;
+    if (!find_start(b, r, t_max, &w->start)) return false;
     w->scale = vec_max_abs(r->dir);
     if (!(w->scale > 0) || !isfinite(w->start)) w->start = r->t_min;
     Vec3 o = ray_at(r, w->start);
     const double at[3] = { o.x, o.y, o.z }, dir[3] = { r->dir.x, r->dir.y, r->dir.z };
     const double from[3] = { r->origin.x, r->origin.y, r->origin.z };
-    double diagonal = box_diagonal(b->bounds);
     for (int k = 0; k < 3; k++) {
         double rounding = 0x1p-52 * (fabs(from[k]) + fabs(w->start * dir[k]));
-        prepare_axis(w, k, at[k], dir[k] / w->scale, b->bounds.lo[k], b->bounds.hi[k], rounding, diagonal);
+        prepare_axis(w, k, at[k], dir[k] / w->scale, b->bounds.lo[k], b->bounds.hi[k], rounding, b->diagonal);
     }
     return true;
 }

@@ -19,6 +19,8 @@ typedef struct {
     bool is_shadow_ray;      /* set by whoever casts the ray: boxes are counted apart */
     bool measures_time;      /* fill counters.nurbs_seconds: costs two clock reads a test */
     uint64_t seed;           /* of this ray: depends only on (pixel, sample); see hash.h */
+    /* The frame of the last direction, for shapes that see a ray as two planes: unit d, perpendicular unit n1 and n2. */
+    struct { Vec3 dir; double length; Vec3 d, n1, n2; } frame;
     /* The last root that was accepted: where rays that leave from it find their own surface again. It counts only while
      * `seed` is the same, so that no pixel depends on another. */
     struct { const void *leaf; double s, t; uint64_t seed; } root;
@@ -26,6 +28,7 @@ typedef struct {
 
 typedef struct HitList HitList;     /* all hits of a ray in order of t, for CSG */
 typedef struct MeshSink MeshSink;   /* receives triangles, for export */
+typedef struct Sdl Sdl;             /* receives scene text, for export */
 
 typedef struct {
     const char *name;   /* the scene's word, and the key in --stats */
@@ -37,7 +40,8 @@ typedef struct {
     bool (*inside)    (const Shape *s, Vec3 p);                               /* NULL: a surface without an inside */
     Box  (*inside_bounds)(const Shape *s);                                    /* contains all that is inside; NULL: bounds() */
     void (*attributes)(const Shape *s, const Ray *r, const Hit *h, Attributes *out);  /* for the winner only */
-    bool (*tessellate)(const Shape *s, double chord_error, MeshSink *out);    /* NULL: not exportable */
+    bool (*tessellate)(const Shape *s, double chord_error, MeshSink *out);    /* NULL or false: it has no mesh */
+    void (*write)     (const Shape *s, Sdl *out);  /* for POV-Ray: "sphere { <0, 0, 0>, 1", left open; NULL: as a mesh */
     uint32_t (*parts) (const Shape *s, Shape *const **list);   /* what it is made of, in order; NULL: a primitive */
     /* A compound like s, of as many other parts: its own, moved by `moved` (NULL: not). is_inverse: they are inverted, and so
      * is the compound to be (by De Morgan's laws; a union is then what POV-Ray makes of it, without surfaces within). */

@@ -31,7 +31,9 @@ static inline int vec_is_finite(Vec3 a) { return isfinite(a.x) && isfinite(a.y) 
 /* a / |a| for any finite a, however large or small (scaled first, so that nothing over- or underflows); 0 stays 0. */
 static inline Vec3 vec_normalize(Vec3 a)
 {
-    double m = vec_max_abs(a);
+    double l2 = vec_length2(a), m;
+    if (l2 > 0x1p-960 && l2 < 0x1p960) return vec_scale(a, 1 / sqrt(l2));
+    m = vec_max_abs(a);
     if (!(m > 0) || isinf(m)) return a;
     int e;
     (void)frexp(m, &e);

@@ -5,6 +5,8 @@
  * the box: the comparisons pass over a NaN. Of two faces that are met at once, within that error, the one that the ray faces
  * more wins, as in POV-Ray. */
 #include "render/hit_list.h"
+#include "render/mesh_sink.h"
+#include "render/sdl.h"
 #include "render/shapes.h"
 
 typedef struct { Shape shape; double lo[3], hi[3]; } BoxShape;
@@ -103,9 +105,38 @@ static void box_shape_attributes(const Shape *shape, const Ray *r, const Hit *h,
                                          fraction(p.z, b->lo[2], b->hi[2])));
 }
 
+static bool box_shape_tessellate(const Shape *shape, double chord_error, MeshSink *out)
+{
+    const BoxShape *b = (const BoxShape *)shape;
+    (void)chord_error;
+    for (int face = 0; face < 6; face++) {
+        int k = face / 2, i = (k + 1) % 3, j = (k + 2) % 3, is_high = face % 2;
+        uint32_t v[4];
+        for (int corner = 0; corner < 4; corner++) {   /* counterclockwise from outside */
+            double p[3], n[3] = { 0 };
+            bool far_i = corner == 1 || corner == 2, far_j = corner >= 2;
+            p[k] = is_high ? b->hi[k] : b->lo[k], n[k] = is_high ? 1 : -1;
+            p[i] = (is_high ? far_i : far_j) ? b->hi[i] : b->lo[i];
+            p[j] = (is_high ? far_j : far_i) ? b->hi[j] : b->lo[j];
+            v[corner] = mesh_sink_vertex(out, (MeshVertex){ vec(p[0], p[1], p[2]), vec(n[0], n[1], n[2]), { far_i, far_j } });
+        }
+        mesh_sink_triangle(out, v[0], v[1], v[2]);
+        mesh_sink_triangle(out, v[0], v[2], v[3]);
+    }
+    return true;
+}
+
+static void box_shape_write(const Shape *shape, Sdl *out)
+{
+    const BoxShape *b = (const BoxShape *)shape;
+    sdl_text(out, "box {");
+    sdl_vec(out, vec(b->lo[0], b->lo[1], b->lo[2])), sdl_text(out, ","), sdl_vec(out, vec(b->hi[0], b->hi[1], b->hi[2]));
+}
+
 static const ShapeType box_shape_type = {
     .name = "box", .bounds = box_shape_bounds, .hit = box_shape_hit, .all_hits = box_shape_all_hits,
     .inside = box_shape_inside, .attributes = box_shape_attributes,
+    .tessellate = box_shape_tessellate, .write = box_shape_write,
 };
 
 Shape *box_shape_new(Arena *a, Vec3 corner, Vec3 other)

@@ -2,6 +2,7 @@
  * the clips, too. */
 #include "render/hit_list.h"
 #include "render/object.h"
+#include "render/sdl.h"
 #include "render/shapes.h"
 
 typedef struct {
@@ -70,10 +71,20 @@ static Shape *clipped_with_parts(const Shape *shape, Arena *a, Shape *const part
     return clipped_new(a, parts[0], clips, c->n);
 }
 
+static void clipped_write(const Shape *shape, Sdl *out)
+{
+    const Clipped *c = (const Clipped *)shape;
+    sdl_text(out, "object { ");
+    out->shape(out, c->child);
+    sdl_text(out, " clipped_by {");
+    for (uint32_t i = 0; i < c->n; i++) sdl_text(out, " "), out->shape(out, c->clips[i]);
+    sdl_text(out, " }");
+}
+
 static const ShapeType clipped_type = {
     .name = "clipped_by", .bounds = clipped_bounds, .hit = clipped_hit, .all_hits = clipped_all_hits,
     .inside = clipped_inside, .inside_bounds = clipped_inside_bounds, .parts = clipped_parts,
-    .with_parts = clipped_with_parts,
+    .with_parts = clipped_with_parts, .write = clipped_write,
 };
 
 Shape *clipped_new(Arena *a, Shape *s, Shape *const clips[], uint32_t n)

@@ -33,5 +33,7 @@ int run_thread_count(const Options *o);     /* that asked for, or the cores that
 int cmd_render(const Options *o);
 int cmd_check(const Options *o);
 int cmd_shoot(const Options *o);
+int cmd_export(const Options *o);
+int cmd_compare(const Options *o);
 
 #endif

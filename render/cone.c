@@ -13,6 +13,8 @@
  * is a distance across the surface, up to the slope of the side, 1 + |k|. The roots of the quadratic are backward stable,
  * which adds a few u times the radii. */
 #include "render/hit_list.h"
+#include "render/mesh_sink.h"
+#include "render/sdl.h"
 #include "render/shapes.h"
 
 typedef struct {
@@ -167,13 +169,46 @@ static void cone_attributes(const Shape *shape, const Ray *r, const Hit *h, Attr
     out->normal = out->shading_normal = h->leaf == BASE ? vec_neg(n) : n;
 }
 
+static Vec3 cap_of(const Cone *c) { return vec_add(c->base, vec_scale(c->axis, c->height)); }
+
+static bool cone_tessellate(const Shape *shape, double chord_error, MeshSink *out)
+{
+    static const double PI = 3.14159265358979323846;
+    const Cone *c = (const Cone *)shape;
+    Vec3 cap = cap_of(c);
+    MeshCircle low = mesh_circle(c->base, c->axis, c->r0), high = mesh_circle(cap, c->axis, c->r1);
+    int n = mesh_arc_steps(fmax(c->r0, c->r1), 2 * PI, chord_error);
+    mesh_sink_strip(out, low, high, n);
+    if (c->is_open) return true;
+    mesh_sink_strip(out, mesh_circle(c->base, c->axis, 0), low, n);
+    mesh_sink_strip(out, high, mesh_circle(cap, c->axis, 0), n);
+    return true;
+}
+
+static void cone_write(const Shape *shape, Sdl *out)
+{
+    const Cone *c = (const Cone *)shape;
+    sdl_text(out, "cone {");
+    sdl_vec(out, c->base), sdl_text(out, ","), sdl_number(out, c->r0), sdl_text(out, ",");
+    sdl_vec(out, cap_of(c)), sdl_text(out, ","), sdl_number(out, c->r1);
+    if (c->is_open) sdl_text(out, " open");
+}
+
+static void cylinder_write(const Shape *shape, Sdl *out)
+{
+    const Cone *c = (const Cone *)shape;
+    sdl_text(out, "cylinder {");
+    sdl_vec(out, c->base), sdl_text(out, ","), sdl_vec(out, cap_of(c)), sdl_text(out, ","), sdl_number(out, c->r0);
+    if (c->is_open) sdl_text(out, " open");
+}
+
 static const ShapeType cone_type = {
     .name = "cone", .bounds = cone_bounds, .hit = cone_hit, .all_hits = cone_all_hits, .inside = cone_inside,
-    .attributes = cone_attributes,
+    .attributes = cone_attributes, .tessellate = cone_tessellate, .write = cone_write,
 };
 static const ShapeType cylinder_type = {
     .name = "cylinder", .bounds = cone_bounds, .hit = cone_hit, .all_hits = cone_all_hits, .inside = cone_inside,
-    .attributes = cone_attributes,
+    .attributes = cone_attributes, .tessellate = cone_tessellate, .write = cylinder_write,
 };
 
 static Shape *frustum_new(Arena *a, const ShapeType *type, Vec3 base, double r0, Vec3 cap, double r1, bool is_open)

@@ -5,6 +5,8 @@
  *
  * A new primitive may begin as a copy of this file: the struct begins with its Shape, the functions of the table come in the
  * table's order, and the constructor refuses what describes no shape. */
+#include "render/mesh_sink.h"
+#include "render/sdl.h"
 #include "render/shapes.h"
 
 typedef struct { Shape shape; Vec3 centre, normal; double radius, hole; } Disc;
@@ -52,9 +54,27 @@ static void disc_attributes(const Shape *shape, const Ray *r, const Hit *h, Attr
     out->normal = out->shading_normal = ((const Disc *)shape)->normal;
 }
 
+static bool disc_tessellate(const Shape *shape, double chord_error, MeshSink *out)
+{
+    static const double PI = 3.14159265358979323846;
+    const Disc *d = (const Disc *)shape;
+    int n = mesh_arc_steps(d->radius, 2 * PI, chord_error);
+    mesh_sink_strip(out, mesh_circle(d->centre, d->normal, d->radius), mesh_circle(d->centre, d->normal, d->hole), n);
+    return true;
+}
+
+static void disc_write(const Shape *shape, Sdl *out)
+{
+    const Disc *d = (const Disc *)shape;
+    sdl_text(out, "disc {");
+    sdl_vec(out, d->centre), sdl_text(out, ","), sdl_vec(out, d->normal), sdl_text(out, ","), sdl_number(out, d->radius);
+    if (d->hole > 0) sdl_text(out, ","), sdl_number(out, d->hole);
+}
+
 static const ShapeType disc_type = {
     .name = "disc", .bounds = disc_bounds, .hit = disc_hit, .inside = disc_inside,
     .inside_bounds = disc_inside_bounds, .attributes = disc_attributes,
+    .tessellate = disc_tessellate, .write = disc_write,
 };
 
 Shape *disc_new(Arena *a, Vec3 centre, Vec3 normal, double radius, double hole_radius)

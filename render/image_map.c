@@ -3,7 +3,9 @@
 
 struct ImageMap {
     int width, height;
+    MapType type;
     bool once, interpolates, is_opaque;
+    ImageMapOptions options;     /* as written */
     const Color *pixels;         /* row by row from the top left, in the working space */
 };
 
@@ -21,7 +23,7 @@ static float *decoding_table(Arena *a, const Image *picture, const ImageMapOptio
     int step = picture->bits == 16 ? 1 : 257;
     for (int i = 0; i < 65536; i += step) {
         double encoded = i / 65535., value = encoded;
-        if (gamma != GAMMA_NONE) value = film_working(decoded(encoded, picture, o), gamma, power);
+        if (gamma != GAMMA_NONE || o->has_gamma) value = film_working(decoded(encoded, picture, o), gamma, power);
         table[i] = (float)value;
     }
     return table;
@@ -42,7 +44,7 @@ ImageMap *image_map_new(Arena *a, const Image *picture, const ImageMapOptions *o
     }
     arena_reset(a, mark);
     ImageMap *m = ARENA_NEW(a, ImageMap);
-    *m = (ImageMap){ picture->width, picture->height, o->once, o->interpolates, is_opaque, pixels };
+    *m = (ImageMap){ picture->width, picture->height, o->type, o->once, o->interpolates, is_opaque, *o, pixels };
     return m;
 }
 
@@ -71,4 +73,57 @@ Color image_map_color(const ImageMap *m, double x, double y)
     return color_lerp(upper, lower, t);
 }
 
+/* ---- wrapped ---- */
+
+/* The turn from +x towards +z, in [0, 1). */
+static double turn(double x, double z)
+{
+    double t = atan2(z, x) / (2 * M_PI);
+    return t < 0 ? t + 1 : t;
+}
+
+static Vec2 on_sphere(Vec3 p)
+{
+    double size = vec_length(p);
+    return vec2(turn(p.x, p.z), .5 + asin(p.y / size) / M_PI);
+}
+
+/* About the y axis, one high; `once`: not above and below. */
+static Vec2 on_cylinder(Vec3 p) { return vec2(turn(p.x, p.z), p.y); }
+
+/* About the y axis, of major radius 1: once round it, and round the tube from its inner side. */
+static Vec2 on_torus(Vec3 p)
+{
+    double out = hypot(p.x, p.z) - 1;
+    return vec2(turn(p.x, p.z), turn(-out, -p.y));
+}
+
+Color image_map_at(const ImageMap *m, Vec3 point)
+{
+    static const Color clear = { 0, 0, 0, 0, 1 };
+    Vec2 q = vec2(point.x, point.y);
+    if (m->type != MAP_PLANAR && vec_max_abs(point) == 0) return clear;
+    if (m->type == MAP_SPHERICAL) q = on_sphere(point);
+    if (m->type == MAP_CYLINDRICAL) q = on_cylinder(point);
+    if (m->type == MAP_TOROIDAL) q = on_torus(point);
+    return image_map_color(m, q.x, q.y);
+}
+
 bool image_map_is_opaque(const ImageMap *m) { return m->is_opaque; }
+
+void image_map_write(const ImageMap *m, Sdl *out)
+{
+    const ImageMapOptions *o = &m->options;
+    sdl_text(out, " image_map { png \"");
+    for (const char *c = o->path; c && *c; c++) sdl_text(out, *c == '"' || *c == '\\' ? "\\%c" : "%c", *c);
+    sdl_text(out, "\"");
+    if (o->has_gamma && o->gamma_is_srgb) sdl_text(out, " gamma srgb");
+    else if (o->has_gamma) sdl_text(out, " gamma"), sdl_number(out, o->gamma);
+    static const int numbers[] = { 0, 1, 2, 5 };
+    if (o->type != MAP_PLANAR) sdl_text(out, " map_type %d", numbers[o->type]);
+    if (o->once) sdl_text(out, " once");
+    if (o->interpolates) sdl_text(out, " interpolate 2");
+    if (o->filter_all != 0) sdl_text(out, " filter all"), sdl_number(out, o->filter_all);
+    if (o->transmit_all != 0) sdl_text(out, " transmit all"), sdl_number(out, o->transmit_all);
+    sdl_text(out, " }");
+}

@@ -12,6 +12,8 @@ static int dispatch(const Options *o)
     case COMMAND_RENDER: return cmd_render(o);
     case COMMAND_CHECK: return cmd_check(o);
     case COMMAND_SHOOT: return cmd_shoot(o);
+    case COMMAND_EXPORT: return cmd_export(o);
+    case COMMAND_COMPARE: return cmd_compare(o);
     }
     return EXIT_USAGE;
 }

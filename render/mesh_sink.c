@@ -31,6 +31,41 @@ void mesh_sink_grid(MeshSink *m, int n_u, int n_v, MeshAt at, const void *contex
         }
 }
 
+MeshCircle mesh_circle(Vec3 centre, Vec3 unit_axis, double radius)
+{
+    Vec3 a = unit_axis, least = vec(0, 0, 1);
+    if (fabs(a.x) <= fabs(a.y) && fabs(a.x) <= fabs(a.z)) least = vec(1, 0, 0);
+    else if (fabs(a.y) <= fabs(a.z)) least = vec(0, 1, 0);
+    Vec3 x = vec_normalize(vec_cross(least, a));
+    return (MeshCircle){ centre, x, vec_cross(a, x), radius };
+}
+
+static Vec3 on_circle(const MeshCircle *c, double cosine, double sine)
+{
+    Vec3 out = vec_add(vec_scale(c->x, cosine), vec_scale(c->y, sine));
+    return vec_add(c->centre, vec_scale(out, c->radius));
+}
+
+void mesh_sink_strip(MeshSink *m, MeshCircle a, MeshCircle b, int n)
+{
+    static const double PI = 3.14159265358979323846;
+    uint32_t first = (uint32_t)m->n_vertices;
+    if (n < 3) n = 3;
+    for (int i = 0; i < n; i++) {
+        double angle = 2 * PI * i / n, cosine = cos(angle), sine = sin(angle);
+        Vec3 p = on_circle(&a, cosine, sine), q = on_circle(&b, cosine, sine);
+        Vec3 tangent = vec_sub(vec_scale(a.y, cosine), vec_scale(a.x, sine));
+        Vec3 normal = vec_normalize(vec_cross(tangent, vec_sub(q, p)));
+        mesh_sink_vertex(m, (MeshVertex){ p, normal, { p.x, p.y } });
+        mesh_sink_vertex(m, (MeshVertex){ q, normal, { q.x, q.y } });
+    }
+    for (uint32_t i = 0; i < (uint32_t)n; i++) {
+        uint32_t p = first + 2 * i, next = first + 2 * ((i + 1) % (uint32_t)n);
+        mesh_sink_triangle(m, p, next, next + 1);
+        mesh_sink_triangle(m, p, next + 1, p + 1);
+    }
+}
+
 /* The sagitta of a chord is r (1 - cos(step / 2)) = 2 r sin^2(step / 4). */
 int mesh_arc_steps(double radius, double angle, double error)
 {

@@ -32,6 +32,14 @@ void mesh_sink_triangle(MeshSink *m, uint32_t a, uint32_t b, uint32_t c);
 typedef MeshVertex (*MeshAt)(const void *context, double u, double v);
 void mesh_sink_grid(MeshSink *m, int n_u, int n_v, MeshAt at, const void *context);
 
+/* A circle about an axis, for strips. It has no direction that a scene could see. */
+typedef struct { Vec3 centre, x, y; double radius; } MeshCircle;   /* x, y: unit, x cross y along the axis */
+MeshCircle mesh_circle(Vec3 centre, Vec3 unit_axis, double radius);
+
+/* The strip between two circles with the same x and y, either of which may be a point: the side of a cone, a disc. Seen from
+ * the side that the normals point to, b is above a, and x to y goes to the right. uv is x and y, as POV-Ray has it. */
+void mesh_sink_strip(MeshSink *m, MeshCircle a, MeshCircle b, int n);
+
 /* Into how many chords an arc of `angle` radians must be divided that each stays within `error` of it; 1 at least. */
 int mesh_arc_steps(double radius, double angle, double error);
 

@@ -180,7 +180,11 @@ static bool set_unsupported(Options *o, const Row *row, const char *value, bool 
 
 /* ---- the table ---- */
 
-enum { R = COMMAND_RENDER, C = COMMAND_CHECK, S = COMMAND_SHOOT, ALL = R | C | S };
+enum {
+    R = COMMAND_RENDER, C = COMMAND_CHECK, S = COMMAND_SHOOT, X = COMMAND_EXPORT, M = COMMAND_COMPARE,
+    ALL = R | C | S | X,     /* that read a scene */
+    EVERY = ALL | M
+};
 
 #define TEXT(f)          .kind = KIND_TEXT, .field = offsetof(Options, f)
 #define WHOLE(f, a, b)   .kind = KIND_WHOLE, .field = offsetof(Options, f), .lo = (a), .hi = (b)
@@ -192,8 +196,8 @@ enum { R = COMMAND_RENDER, C = COMMAND_CHECK, S = COMMAND_SHOOT, ALL = R | C | S
 
 static const Row table[] = {
     { "I", "Input_File_Name", "input", "SCENE", ALL, "the scene, as a bare name is; .pov may be left out", TEXT(input) },
-    { "O", "Output_File_Name", "output", "FILE", R | S,
-      "the picture (default: beside the scene, as .png) or the hits of shoot; -: standard output", TEXT(output) },
+    { "O", "Output_File_Name", "output", "FILE", R | S | X,
+      "the picture (default: beside the scene, as .png), shoot's hits, export's file; -: standard output", TEXT(output) },
     { "W", "Width", "width", "N", ALL, "width of the picture in pixels (default 800)", WHOLE(width, 1, MAX_SIZE) },
     { "H", "Height", "height", "N", ALL, "height of the picture (default 600)", WHOLE(height, 1, MAX_SIZE) },
     { "F", NULL, NULL, "N[8|16]", R, "PNG with 8 (default) or 16 bits a channel; -F: no picture", CUSTOM(set_file_type) },
@@ -237,15 +241,20 @@ static const Row table[] = {
     { NULL, NULL, "rays", "FILE", S, "shoot: 6 little-endian doubles a ray; .txt and -: as text", TEXT(rays) },
     { NULL, NULL, "stats", "FILE.json", R | S, "times and counts; taking them costs up to a tenth of the time",
       TEXT(stats) },
+    { NULL, NULL, "chord-error", "E", X, "how far triangles may be from surfaces (default: a 2000th of the scene's size)",
+      REAL(chord_error, 0x1p-1022, INFINITY) },
+    { NULL, NULL, "diff", "FILE", M, "a picture of the differences", TEXT(diff) },
+    { NULL, NULL, "within", "L", M, "how far channels may differ, in steps of 1/255 (default 1)", REAL(within, 0, 255) },
+    { NULL, NULL, "share", "S", M, "in which share of the pixels they must be so near (default 1: all)", REAL(share, 0, 1) },
     { "V", "Verbose", "verbose", NULL, ALL, "tell more, on the standard error", FLAG(is_verbose) },
-    { NULL, NULL, "quiet", NULL, ALL, "tell errors only", FLAG(is_quiet) },
+    { NULL, NULL, "quiet", NULL, EVERY, "tell errors only", FLAG(is_quiet) },
     { "D", "Display", NULL, NULL, R, "read for POV-Ray's sake: there is no display", CUSTOM(set_nothing) },
     NOTHING("GA", "All_Console"), NOTHING(NULL, "Test_Abort"), NOTHING(NULL, "Test_Abort_Count"), NOTHING("MB", "Bounding"),
     NOTHING(NULL, "Bounding_Threshold"), NOTHING(NULL, "Bounding_Method"), NOTHING("UL", "Light_Buffer"),
     NOTHING("UV", "Vista_Buffer"), NOTHING("UR", "Remove_Bounds"), NOTHING("SU", "Split_Unions"),
     NOTHING("WL", "Warning_Level"), NOTHING(NULL, "Video_Mode"), NOTHING(NULL, "Palette"), NOTHING(NULL, "Display_Gamma"),
-    { NULL, NULL, "help", NULL, ALL, "this text", FLAG(wants_help) },
-    { NULL, NULL, "version", NULL, ALL, "the program's version", FLAG(wants_version) },
+    { NULL, NULL, "help", NULL, EVERY, "this text", FLAG(wants_help) },
+    { NULL, NULL, "version", NULL, EVERY, "the program's version", FLAG(wants_version) },
     MISSING("C", "Continue_Trace"), MISSING("KFI", "Initial_Frame"), MISSING("KFF", "Final_Frame"),
     MISSING("P", "Pause_When_Done"),
 };
@@ -255,6 +264,8 @@ static const struct { const char *name; Command command; const char *help; } com
     { "render", COMMAND_RENDER, "render SCENE.png; the word may be left out" },
     { "check", COMMAND_CHECK, "read and validate; say what the scene has, and what is left out" },
     { "shoot", COMMAND_SHOOT, "hits of given rays: trimray shoot SCENE.pov --rays R.bin --out H.bin" },
+    { "export", COMMAND_EXPORT, "the scene with meshes: trimray export SCENE.pov -o OUT.pov (or .obj, .stl)" },
+    { "compare", COMMAND_COMPARE, "how two pictures differ: trimray compare A.png B.png; status 1: more than allowed" },
 };
 enum { N_COMMANDS = sizeof commands / sizeof *commands };
 
@@ -334,6 +345,10 @@ static bool read_long(Options *o, const char *argument, char *const **next, char
 
 static bool read_scene_name(Options *o, const char *word)
 {
+    if (o->command == COMMAND_COMPARE && o->input && !o->other) {
+        o->other = word;
+        return true;
+    }
     if (o->input) return FAIL(o, "one scene at a time, and %s is named already", o->input);
     o->input = word;
     return true;
@@ -383,13 +398,15 @@ static bool read_ini(Options *o, const char *path, const char *section)
 static bool read_argument(Options *o, const char *argument, char *const **next, char *const *end)
 {
     bool is_long = strncmp(argument, "--", 2) == 0 && argument[2];
+    if (strcmp(argument, "-o") == 0) return read_long(o, "--output", next, end);   /* as other programs have it */
     return is_long ? read_long(o, argument, next, end) : read_alone(o, argument);
 }
 
 bool options_read(int argc, char *const argv[], Arena *a, Options *o)
 {
-    *o = (Options){ .command = COMMAND_RENDER, .width = 800, .height = 600, .bits = 8, .quality = 9,
+    *o = (Options){ .command = COMMAND_RENDER, .nurbs.method = NURBS_METHOD_CERTAIN, .width = 800, .height = 600, .bits = 8, .quality = 9,
                     .antialias = antialias_default(), .jitter_on = true, .block_size = 32, .arena = a };
+    o->within = o->share = 1;
     o->antialias.method = 1;
     o->antialias.jitter = 1;
     char *const *next = argv, *const *end = argv + argc;
@@ -400,7 +417,9 @@ bool options_read(int argc, char *const argv[], Arena *a, Options *o)
         if (!read_argument(o, argument, &next, end)) return FAIL(o, "%s: %s", argument, o->error);
     }
     if (o->wants_help || o->wants_version) return true;
+    if (o->command == COMMAND_COMPARE) return o->other || FAIL(o, "compare needs two pictures");
     if (!o->input) return FAIL(o, "no scene given");
+    if (o->command == COMMAND_EXPORT && !o->output) return FAIL(o, "export needs -o FILE");
     return o->command != COMMAND_SHOOT || o->rays || FAIL(o, "shoot needs --rays FILE");
 }
 

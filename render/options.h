@@ -8,12 +8,15 @@
 
 #include <stdio.h>
 
-typedef enum { COMMAND_RENDER = 1, COMMAND_CHECK = 2, COMMAND_SHOOT = 4 } Command;   /* bits, for the table */
+typedef enum {   /* bits, for the table */
+    COMMAND_RENDER = 1, COMMAND_CHECK = 2, COMMAND_SHOOT = 4, COMMAND_EXPORT = 8, COMMAND_COMPARE = 16
+} Command;
 
 typedef struct {
     Command command;
     bool wants_help, wants_version;
     const char *input;               /* the scene; NULL: none named */
+    const char *other;               /* compare: the second picture */
     const char *output;              /* NULL: not named; "-": the standard output */
     bool no_output;                  /* -F: nothing is written */
     int width, height;
@@ -33,6 +36,9 @@ typedef struct {
     size_t n_declares, declares_capacity;
     NurbsOptions nurbs;
     const char *stats;               /* a JSON file for the statistics; NULL: none */
+    double chord_error;              /* export; 0: by the scene's size */
+    const char *diff;                /* compare: a picture of the differences; NULL: none */
+    double within, share;            /* compare: steps of 1/255, share of the pixels */
     const char *rays;                /* shoot: the file of rays */
     bool is_verbose, is_quiet;
     const char *error;               /* set when options_read returned false: what is wrong, in one line */

@@ -2,6 +2,7 @@
  *
  * t = (d - n.o) / (n.dir). Error: the numerator is off by at most 4u (|o| + |d|), which is a distance across the plane; the
  * slope by 3u |dir|, which moves the point by 3u t |dir|; two more roundings move it along the ray by 2u t |dir|. */
+#include "render/sdl.h"
 #include "render/shapes.h"
 
 typedef struct { Shape shape; Vec3 normal; double distance; } Plane;
@@ -39,8 +40,16 @@ static void plane_attributes(const Shape *shape, const Ray *r, const Hit *h, Att
     out->normal = out->shading_normal = ((const Plane *)shape)->normal;
 }
 
+static void plane_write(const Shape *shape, Sdl *out)
+{
+    const Plane *p = (const Plane *)shape;
+    sdl_text(out, "plane {");
+    sdl_vec(out, p->normal), sdl_text(out, ","), sdl_number(out, p->distance);
+}
+
 static const ShapeType plane_type = {
     .name = "plane", .bounds = plane_bounds, .hit = plane_hit, .inside = plane_inside, .attributes = plane_attributes,
+    .write = plane_write,
 };
 
 Shape *plane_new(Arena *a, Vec3 normal, double distance)

@@ -10,6 +10,8 @@
  * 3u|f| across it; farther out c has a relative error of at most 6u, q and the division add 4u: 10u (|f| + r) along the ray.
  * 16u (|f| + r) covers the sum. */
 #include "render/hit_list.h"
+#include "render/mesh_sink.h"
+#include "render/sdl.h"
 #include "render/shapes.h"
 
 typedef struct { Shape shape; Vec3 centre; double radius; } Sphere;
@@ -80,9 +82,39 @@ static void sphere_attributes(const Shape *shape, const Ray *r, const Hit *h, At
     out->uv = vec2(u < 0 ? u + 1 : u, .5 + asin(fmax(-1, fmin(1, n.y))) / PI);
 }
 
+/* The poles and the seam get the same point each time. */
+static MeshVertex sphere_at(const void *context, double u, double v)
+{
+    static const double PI = 3.14159265358979323846;
+    const Sphere *s = context;
+    double angle = u < 1 ? 2 * PI * u : 0, height = PI * (v - .5), ring = v > 0 && v < 1 ? cos(height) : 0;
+    Vec3 n = vec(ring * cos(angle), sin(height), ring * sin(angle));
+    return (MeshVertex){ vec_add(s->centre, vec_scale(n, s->radius)), n, { u, v } };
+}
+
+/* Half of the error for each direction. Walked from z to x, so that the outside is where the normals are. */
+static MeshVertex sphere_turned(const void *context, double u, double v) { return sphere_at(context, 1 - u, v); }
+
+static bool sphere_tessellate(const Shape *shape, double chord_error, MeshSink *out)
+{
+    static const double PI = 3.14159265358979323846;
+    const Sphere *s = (const Sphere *)shape;
+    int n_u = mesh_arc_steps(s->radius, 2 * PI, chord_error / 2), n_v = mesh_arc_steps(s->radius, PI, chord_error / 2);
+    mesh_sink_grid(out, n_u < 3 ? 3 : n_u, n_v < 2 ? 2 : n_v, sphere_turned, s);
+    return true;
+}
+
+static void sphere_write(const Shape *shape, Sdl *out)
+{
+    const Sphere *s = (const Sphere *)shape;
+    sdl_text(out, "sphere {");
+    sdl_vec(out, s->centre), sdl_text(out, ","), sdl_number(out, s->radius);
+}
+
 static const ShapeType sphere_type = {
     .name = "sphere", .bounds = sphere_bounds, .hit = sphere_hit, .all_hits = sphere_all_hits,
-    .inside = sphere_inside, .attributes = sphere_attributes,
+    .inside = sphere_inside, .attributes = sphere_attributes, .tessellate = sphere_tessellate,
+    .write = sphere_write,
 };
 
 Shape *sphere_new(Arena *a, Vec3 centre, double radius)

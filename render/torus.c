@@ -10,6 +10,8 @@
  * distance of that over 2r. Where g stays above that error the quartic's root was a near miss, seen as a touch. */
 #include "render/hit_list.h"
 #include "render/roots.h"
+#include "render/mesh_sink.h"
+#include "render/sdl.h"
 #include "render/shapes.h"
 
 typedef struct { Shape shape; double major, minor; } Torus;
@@ -127,9 +129,38 @@ static void torus_attributes(const Shape *shape, const Ray *r, const Hit *h, Att
     out->uv = vec2(1 - (atan2(p.z, p.x) + PI) / (2 * PI), (atan2(p.y, radial - s->major) + PI) / (2 * PI));
 }
 
+/* Walked so that the outside is where the normals are; both seams get the same points each time. */
+static MeshVertex torus_at(const void *context, double u, double v)
+{
+    static const double PI = 3.14159265358979323846;
+    const Torus *s = context;
+    double angle = u < 1 ? 2 * PI * u : 0, turn = v < 1 ? 2 * PI * v : 0;
+    Vec3 n = vec(cos(turn) * cos(angle), sin(turn), -cos(turn) * sin(angle));
+    double ring = s->major + s->minor * cos(turn);
+    return (MeshVertex){ vec(ring * cos(angle), s->minor * sin(turn), -ring * sin(angle)), n, { u, v } };
+}
+
+static bool torus_tessellate(const Shape *shape, double chord_error, MeshSink *out)
+{
+    static const double PI = 3.14159265358979323846;
+    const Torus *s = (const Torus *)shape;
+    int n_u = mesh_arc_steps(s->major + s->minor, 2 * PI, chord_error / 2);
+    int n_v = mesh_arc_steps(s->minor, 2 * PI, chord_error / 2);
+    mesh_sink_grid(out, n_u < 3 ? 3 : n_u, n_v < 3 ? 3 : n_v, torus_at, s);
+    return true;
+}
+
+static void torus_write(const Shape *shape, Sdl *out)
+{
+    const Torus *s = (const Torus *)shape;
+    sdl_text(out, "torus {");
+    sdl_number(out, s->major), sdl_text(out, ","), sdl_number(out, s->minor);
+}
+
 static const ShapeType torus_type = {
     .name = "torus", .bounds = torus_bounds, .hit = torus_hit, .all_hits = torus_all_hits,
-    .inside = torus_inside, .attributes = torus_attributes,
+    .inside = torus_inside, .attributes = torus_attributes, .tessellate = torus_tessellate,
+    .write = torus_write,
 };
 
 Shape *torus_new(Arena *a, double major, double minor)

@@ -58,6 +58,7 @@ static void read_pattern(Parser *p, Pigment *g, const PatternType *type)
 
 static void read_color_map(Parser *p, Pigment *g) { g->entries = parse_color_map(p, &g->n_entries); }
 static void read_pigment_map(Parser *p, Pigment *g) { g->entries = parse_pigment_map(p, &g->n_entries); }
+static void read_image_map(Parser *p, Pigment *g) { g->kind = PIGMENT_IMAGE, g->image = parse_image_map(p); }
 static void read_uv_mapping(Parser *p, Pigment *g) { (void)p, g->uv_mapping = true; }
 static void read_frequency(Parser *p, Pigment *g) { g->pattern.frequency = parse_float(p); }
 static void read_phase(Parser *p, Pigment *g) { g->pattern.phase = parse_float(p); }
@@ -80,6 +81,7 @@ static const struct {
     void (*read)(Parser *p, Pigment *g);
 } words[] = {
     { "color_map", read_color_map }, { "colour_map", read_color_map }, { "pigment_map", read_pigment_map },
+    { "image_map", read_image_map },
     { "uv_mapping", read_uv_mapping }, { "frequency", read_frequency }, { "phase", read_phase },
     { "brick_size", read_brick_size }, { "mortar", read_mortar }, { "ramp_wave", read_ramp },
     { "triangle_wave", read_triangle }, { "sine_wave", read_sine }, { "scallop_wave", read_scallop },

@@ -46,6 +46,8 @@ Pigment parse_pigment_from(Parser *p, const Pigment *base);
 const PigmentEntry *parse_color_map(Parser *p, int *n);
 const PigmentEntry *parse_pigment_map(Parser *p, int *n);
 
+/* parse_image.c: after the word */
+const ImageMap *parse_image_map(Parser *p);
 /* parse_finish.c */
 Finish parse_finish_from(Parser *p, Finish base);
 

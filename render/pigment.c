@@ -53,7 +53,7 @@ Color pigment_color(const Pigment *p, Vec3 point, Vec2 uv)
     switch (p->kind) {
     case PIGMENT_BLOCKS: return block_color(p, point, uv);
     case PIGMENT_MAP: return map_color(p, point, uv);
-    default: return image_map_color(p->image, point.x, point.y);
+    default: return image_map_at(p->image, point);
     }
 }
 

@@ -28,7 +28,7 @@ struct WideBvh {
     const WideNode *nodes;
     uint32_t n_nodes;
     Box bounds;
-    double largest, diagonal;      /* of the coordinates of the bounds */
+    double largest, diagonal;      /* the largest coordinate of the bounds, and their diagonal */
 };
 
 /* ---- collapsing ---- */
@@ -103,15 +103,27 @@ typedef struct {
     double start, scale;           /* its own t = (t of the caller - start) * scale */
 } WideRay;
 
-static void prepare_axis(WideRay *w, int k, double o, double d, double lo, double hi, double rounding, double diagonal)
+/* Fills t->slabs for the ray's direction, unless it is there from the tree before. */
+static void use_slabs(const Ray *r, Trace *t)
 {
-    bool is_tiny = !(fabs(d) >= TINY);
-    double inverse = 1 / (is_tiny ? copysign(TINY, d) : d), size = fabs(o) + double_max(fabs(lo), fabs(hi));
-    double slack = fabs(inverse) * (size * 0x1p-21 + rounding) + (is_tiny ? 4 * diagonal : 0);
+    Vec3 a = r->dir, b = t->slabs.dir;
+    if (a.x == b.x && a.y == b.y && a.z == b.z && t->slabs.scale > 0) return;
+    t->slabs.dir = a, t->slabs.scale = vec_max_abs(a);
+    const double d[3] = { a.x, a.y, a.z };
+    for (int k = 0; k < 3; k++) {
+        double x = d[k] / t->slabs.scale;
+        t->slabs.inverse[k] = 1 / (fabs(x) >= TINY ? x : copysign(TINY, d[k]));
+    }
+}
+
+static inline void prepare_axis(WideRay *w, int k, double o, double inverse, double largest, double rounding, double diagonal)
+{
+    double slack = fabs(inverse) * ((fabs(o) + largest) * 0x1p-21 + rounding);
+    if (fabs(inverse) >= 1 / TINY) slack += 4 * diagonal;
     w->inverse[k] = (float)inverse;
     w->near_shift[k] = float_down(-o * inverse - slack);
     w->far_shift[k] = float_up(-o * inverse + slack);
-    w->near_side[k] = signbit(d) != 0;
+    w->near_side[k] = signbit(inverse) != 0;
 }
 
 /* Where the ray enters the tree; false: it does not, before t_max. An origin that is no farther away than NEAR times the tree's
@@ -127,18 +139,17 @@ static bool find_start(const WideBvh *b, const Ray *r, double t_max, double *sta
 }
 
 /* false: the ray does not meet the tree's bounds before t_max. */
-static bool prepare(const WideBvh *b, const Ray *r, double t_max, WideRay *w)
+static inline bool prepare(const WideBvh *b, const Ray *r, double t_max, Trace *t, WideRay *w)
 {
     if (!find_start(b, r, t_max, &w->start)) return false;
-    w->scale = vec_max_abs(r->dir);
-    if (!(w->scale > 0) || !isfinite(w->start)) w->start = r->t_min;
+    use_slabs(r, t);
+    w->scale = t->slabs.scale;
+    if (!isfinite(w->start)) w->start = r->t_min;
     Vec3 o = ray_at(r, w->start);
-    const double at[3] = { o.x, o.y, o.z }, dir[3] = { r->dir.x, r->dir.y, r->dir.z };
-    const double from[3] = { r->origin.x, r->origin.y, r->origin.z };
-    for (int k = 0; k < 3; k++) {
-        double rounding = 0x1p-52 * (fabs(from[k]) + fabs(w->start * dir[k]));
-        prepare_axis(w, k, at[k], dir[k] / w->scale, b->bounds.lo[k], b->bounds.hi[k], rounding, b->diagonal);
-    }
+    double far = fabs(w->start) * w->scale;
+    prepare_axis(w, 0, o.x, t->slabs.inverse[0], b->largest, 0x1p-52 * (fabs(r->origin.x) + far), b->diagonal);
+    prepare_axis(w, 1, o.y, t->slabs.inverse[1], b->largest, 0x1p-52 * (fabs(r->origin.y) + far), b->diagonal);
+    prepare_axis(w, 2, o.z, t->slabs.inverse[2], b->largest, 0x1p-52 * (fabs(r->origin.z) + far), b->diagonal);
     return true;
 }
 
@@ -180,7 +191,7 @@ bool bvh_wide_traverse(const WideBvh *b, const Ray *r, double *t_max, BvhVisit v
     bool ended = false;
     Waiting stack[STACK_SIZE];
     int top = 0;
-    if (prepare(b, r, *t_max, &w)) stack[top++] = (Waiting){ 0, -INFINITY };
+    if (prepare(b, r, *t_max, t, &w)) stack[top++] = (Waiting){ 0, -INFINITY };
     float limit = float_up((*t_max - w.start) * w.scale), t_min = float_down((r->t_min - w.start) * w.scale);
     while (top > 0 && !ended) {
         Waiting next = stack[--top];

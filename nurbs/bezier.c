@@ -109,7 +109,7 @@ static Largest largest_derivative(int k_u, int k_v, const Vec4 *q, int a, int b)
 BezierSeconds bezier_seconds(int k_u, int k_v, const Vec4 patch[])
 {
     Vec4 q[NURBS_MAX_ORDER * NURBS_MAX_ORDER];
-    Vec3 c = vec4_project(patch[0]);
+    Vec3 c = box_centre(bezier_hull(k_u * k_v, patch));
     double radius = 0, w = INFINITY;
     for (int i = 0; i < k_u * k_v; i++) {
         Vec3 r = vec_sub(vec4_project(patch[i]), c);

@@ -5,23 +5,25 @@
 #include "nurbs/refine.h"
 #include "render/hash.h"
 
+/* How often a leaf that may fold is quartered. Measured on 1024 x 1024 pictures of the paper's scenes: without it, dozens of
+ * specks along silhouettes; with 1, a few; with 2, at most 9 pixels differ from those of `method certain`; 3 changes none. */
+#define FOLD_DEPTH 2
+
 typedef struct {
     const Surface *s;
     const LeafTree *tree;
     NewtonRay ray;
     int max_iterations;
+    double t_min, *t_max;        /* of the ray; lowered as roots are found */
     bool wants_any;
     bool found;
     SurfaceHit nearest;
 } Search;
 
-static bool solve(Search *search, uint32_t i, NewtonRoot *root, Trace *t)
+static bool solve(Search *search, const Leaf *leaf, uint64_t seed, NewtonRoot *root, Trace *t)
 {
-    uint64_t seed = hash_combine(t->seed, i);
-    double begin = t->measures_time ? stats_now() : 0;
-    bool is_root = newton_solve(search->s, &search->tree->leaves[i], &search->ray, search->max_iterations, seed,
-                                &t->counters, root) == NEWTON_ROOT;
-    if (t->measures_time) t->counters.nurbs_seconds += stats_now() - begin;
+    bool is_root = newton_solve(search->s, leaf, &search->ray, search->max_iterations, seed, &t->counters,
+                                root) == NEWTON_ROOT;
     t->counters.nurbs_tests++;
     t->counters.nurbs_hits += is_root;
     return is_root;
@@ -38,19 +40,44 @@ static bool is_kept(const Surface *s, const Leaf *leaf, const NewtonRoot *root, 
 
 /* A root that cannot be told from t_min is not beyond it: where a ray leaves this very surface, the point that it left by its
  * own error bound is found again with the error of this root. */
+static bool note_root(Search *search, uint32_t i, const Leaf *leaf, const NewtonRoot *root, Trace *t)
+{
+    if (!(root->t - root->t_error > search->t_min && root->t < *search->t_max)) return false;
+    if (!is_kept(search->s, leaf, root, t)) return false;
+    t->counters.reported_hits++;
+    search->nearest = (SurfaceHit){ *root, i };
+    search->found = true;
+    *search->t_max = root->t;
+    return search->wants_any;
+}
+
+/* A leaf, or a part of one. The paper: "we are not so much interested in flatness as in guaranteeing that there are not
+ * multiple roots within a leaf [...] this guarantee cannot always be made, particularly for nodes which contain silhouettes
+ * according to the ray source". Where it cannot, the leaf is flattened further, for this ray: each quarter has a guess of
+ * its own. */
+static bool visit_part(Search *search, uint32_t i, const Leaf *part, int depth, Trace *t)
+{
+    NewtonView view = newton_view(search->s, part, &search->ray);
+    if (view == NEWTON_OFF) return false;
+    if (view == NEWTON_FOLDED && depth < FOLD_DEPTH) {
+        for (int k = 0; k < 4; k++) {
+            Leaf quarter = newton_quarter(search->s, part, k);
+            if (visit_part(search, i, &quarter, depth + 1, t)) return true;
+        }
+        return false;
+    }
+    NewtonRoot root;
+    return solve(search, part, hash_combine(t->seed, i), &root, t) && note_root(search, i, part, &root, t);
+}
+
 static bool visit_leaf(void *context, uint32_t i, const Ray *r, double *t_max, Trace *t)
 {
     Search *search = context;
-    NewtonRoot root;
-    if (!newton_may_reach(search->s, &search->tree->leaves[i], &search->ray)) return false;
-    if (!solve(search, i, &root, t)) return false;
-    if (!(root.t - root.t_error > r->t_min && root.t < *t_max)) return false;
-    if (!is_kept(search->s, &search->tree->leaves[i], &root, t)) return false;
-    t->counters.reported_hits++;
-    search->nearest = (SurfaceHit){ root, i };
-    search->found = true;
-    *t_max = root.t;
-    return search->wants_any;
+    search->t_min = r->t_min, search->t_max = t_max;
+    double begin = t->measures_time ? stats_now() : 0;
+    bool is_end = visit_part(search, i, &search->tree->leaves[i], 0, t);
+    if (t->measures_time) t->counters.nurbs_seconds += stats_now() - begin;
+    return is_end;
 }
 
 static bool search_leaves(Search *search, const Ray *r, double t_max, Trace *t)

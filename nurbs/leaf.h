@@ -15,6 +15,7 @@ typedef struct {
     double size;                      /* diagonal of the box of its control points */
     double bend;                      /* in its spans, a step of s leaves ends within bend s^2 of where S_u and S_v say */
     double bulge;                     /* on the leaf, S is within this of its tangent parallelogram at the middle */
+    double turn_u, turn_v;            /* S_u and S_v of the leaf are within these of the middle's, for half a leaf's step */
     SurfacePoint middle;              /* of the interval: the guess that every ray starts from */
     int mu_u, mu_v;                   /* its spans */
     bool needs_trim_test;             /* false: wholly kept */

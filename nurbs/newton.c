@@ -169,8 +169,9 @@ static void set_root(const Iteration *i, bool with_step, NewtonRoot *out)
 }
 
 /* A point off the parallelogram |s| <= 1, |t| <= 1 of s F_u + t F_v lies beyond one of its two pairs of sides: its distance
- * from the line through the middle along F_u exceeds area / |F_u|, or the like for F_v. */
-bool newton_may_reach(const Surface *s, const Leaf *leaf, const NewtonRay *ray)
+ * from the line through the middle along F_u exceeds area / |F_u|, or the like for F_v. And det J = F_u x F_v
+ * differs from that of the middle by at most turn_u |F_v| + turn_v |F_u| + turn_u turn_v. */
+NewtonView newton_view(const Surface *s, const Leaf *leaf, const NewtonRay *ray)
 {
     Vec3 from_origin = vec_sub(leaf->middle.point, ray->origin);
     Vec3 half_u = vec_scale(leaf->middle.s_u, (leaf->u1 - leaf->u0) / 2);
@@ -179,8 +180,21 @@ bool newton_may_reach(const Surface *s, const Leaf *leaf, const NewtonRay *ray)
     Vec2 F_u = vec2(vec_dot(ray->N1, half_u), vec_dot(ray->N2, half_u));
     Vec2 F_v = vec2(vec_dot(ray->N1, half_v), vec_dot(ray->N2, half_v));
     double off = leaf->bulge + f_rounding(s, from_origin), area = fabs(vec2_cross(F_u, F_v));
-    double to_u = fabs(vec2_cross(F, F_u)), to_v = fabs(vec2_cross(F, F_v));
-    return to_u <= area + off * vec2_length(F_u) && to_v <= area + off * vec2_length(F_v);
+    double along_u = sqrt(vec2_dot(F_u, F_u)), along_v = sqrt(vec2_dot(F_v, F_v));
+    if (fabs(vec2_cross(F, F_u)) > area + off * along_u || fabs(vec2_cross(F, F_v)) > area + off * along_v) return NEWTON_OFF;
+    double change = leaf->turn_u * along_v + leaf->turn_v * along_u + leaf->turn_u * leaf->turn_v;
+    return area > change ? NEWTON_PLAIN : NEWTON_FOLDED;
+}
+
+Leaf newton_quarter(const Surface *s, const Leaf *leaf, int quarter)
+{
+    Leaf q = *leaf;
+    double u = leaf->u0 + (leaf->u1 - leaf->u0) / 2, v = leaf->v0 + (leaf->v1 - leaf->v0) / 2;
+    if (quarter & 1) q.u0 = u; else q.u1 = u;
+    if (quarter & 2) q.v0 = v; else q.v1 = v;
+    q.size /= 2, q.bend /= 4, q.bulge /= 4, q.turn_u /= 4, q.turn_v /= 4;
+    refine_evaluate(s, q.mu_u, q.u0 + (q.u1 - q.u0) / 2, q.mu_v, q.v0 + (q.v1 - q.v0) / 2, &q.middle);
+    return q;
 }
 
 NewtonOutcome newton_solve(const Surface *s, const Leaf *leaf, const NewtonRay *ray, int max_iterations, uint64_t seed,

@@ -28,13 +28,21 @@ typedef enum {
     NEWTON_UNFINISHED        /* MAXITER (criterion 4) */
 } NewtonOutcome;
 
-/* May the ray meet the leaf? False only if it does not: its middle's tangent parallelogram, widened by what the surface may
- * bend away from it, is off the ray. */
-bool newton_may_reach(const Surface *s, const Leaf *leaf, const NewtonRay *ray);
+typedef enum {
+    NEWTON_OFF,              /* the ray does not meet the leaf */
+    NEWTON_PLAIN,            /* det J keeps its sign all over the leaf: seen along the ray, it does not fold */
+    NEWTON_FOLDED            /* it may: there may be a silhouette, or a pole, and more than one root */
+} NewtonView;
+
+/* What the leaf's middle says, with what the surface may bend away from it: certain, where it is not NEWTON_FOLDED. */
+NewtonView newton_view(const Surface *s, const Leaf *leaf, const NewtonRay *ray);
+
+/* One of the leaf's four quarters, 0 to 3, as a leaf of its own. */
+Leaf newton_quarter(const Surface *s, const Leaf *leaf, int quarter);
 
 /* Looks for a root from the middle of the leaf. The root may lie outside the leaf, but lies on the leaf's smooth stretch of the
- * domain. `seed` decides the jitter. Counts newton_iterations (evaluations; that of the middle was
- * made once and for all) and newton_jitters. */
+ * domain. `seed` decides the jitter. Counts newton_iterations (evaluations; not that of the
+ * guess, which comes with the leaf) and newton_jitters. */
 NewtonOutcome newton_solve(const Surface *s, const Leaf *leaf, const NewtonRay *ray, int max_iterations, uint64_t seed,
                            Counters *counters, NewtonRoot *out);
 

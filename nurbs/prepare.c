@@ -56,6 +56,13 @@ static double box_slack(const Surface *s, const Cuts *u, const Cuts *v)
     return per_cut * (u->n + v->n + 8) + 4 * unit * s->size * (s->k_u * (knots_u + 1) * u->n + s->k_v * (knots_v + 1) * v->n);
 }
 
+/* In units of half a leaf, as far as it is from the middle: second derivatives are a quarter of those over the leaf. */
+static void bound_deviation(Leaf *leaf, BezierSeconds s, double slack)
+{
+    leaf->turn_u = (s.ss + s.st) / 4, leaf->turn_v = (s.st + s.tt) / 4;
+    leaf->bulge = (leaf->turn_u + leaf->turn_v) / 2 + slack;          /* Taylor: (|S_ss| + 2 |S_st| + |S_tt|) / 2 */
+}
+
 static void add_leaf(Preparation *p, Slot u, Slot v, const Vec4 *cell)
 {
     const Surface *s = p->s;
@@ -73,7 +80,7 @@ static void add_leaf(Preparation *p, Slot u, Slot v, const Vec4 *cell)
     leaf.size = box_diagonal(box);
     double part = fmax(share_of_span(s->tau_u, p->cuts_u.at, u), share_of_span(s->tau_v, p->cuts_v.at, v));
     leaf.bend = p->bend * part * part;
-    leaf.bulge = bezier_bend(s->k_u, s->k_v, cell) / 4 + p->slack;    /* half a leaf in each direction from the middle */
+    bound_deviation(&leaf, bezier_seconds(s->k_u, s->k_v, cell), p->slack);
     refine_evaluate(s, u.mu, leaf.u0 + (leaf.u1 - leaf.u0) / 2, v.mu, leaf.v0 + (leaf.v1 - leaf.v0) / 2, &leaf.middle);
     ARENA_PUSH(p->scratch, p->leaves, p->n_leaves, p->leaves_capacity) = leaf;
     ARENA_PUSH(p->scratch, p->boxes, p->n_boxes, p->boxes_capacity) = box_expand(box, p->slack);

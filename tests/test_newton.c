@@ -133,7 +133,7 @@ static void no_leaf_with_a_root_is_out_of_reach(void **state)
             Vec3 p = random_leaf_point(&r, &f, l).point, d = random_direction(&r);
             Ray ray = { vec_sub(p, vec_scale(d, pow(10, test_range(&r, -3, 3)))), d, 0 };
             NewtonRay n = newton_ray(&ray);
-            CHECK(newton_may_reach(f.s, l, &n), "seed %u ray %d", seed, i);
+            CHECK(newton_view(f.s, l, &n) != NEWTON_OFF, "seed %u ray %d", seed, i);
         }
         done(&f);
     }
@@ -147,7 +147,53 @@ static void a_ray_past_a_square_is_turned_away(void **state)
     for (int i = -4; i <= 8; i++) {
         Ray ray = { vec(i * 0.25 + 1e-3, 0.5, 1), vec(0, 0, -1), 0 };
         NewtonRay n = newton_ray(&ray);
-        CHECK(newton_may_reach(f.s, &f.tree.leaves[0], &n) == (i >= 0 && i < 4), "x = %g", i * 0.25 + 1e-3);
+        CHECK((newton_view(f.s, &f.tree.leaves[0], &n) != NEWTON_OFF) == (i >= 0 && i < 4), "x = %g", i * 0.25 + 1e-3);
+    }
+    done(&f);
+}
+
+static double det_J(const NewtonRay *n, const SurfacePoint *p) { return vec_dot(n->d, vec_cross(p->s_u, p->s_v)); }
+
+static void a_plain_leaf_does_not_fold(void **state)
+{
+    (void)state;
+    Model m = { .k_u = 4, .k_v = 4, .n_u = 9, .n_v = 9 };          /* a bumpy sheet over [3, 9] x [3, 9] */
+    int n_plain = 0;
+    for (int i = 0; i < 13; i++) m.knots_u[i] = m.knots_v[i] = i;
+    for (int i = 0; i < 81; i++) m.points[i] = vec4(i % 9, i / 9, sin(i) + cos(0.37 * i), 1);
+    Fixture f = fixture(&m);
+    TestRandom r = test_random(8);
+    for (int i = 0; i < 5000; i++) {
+        const Leaf *l = &f.tree.leaves[test_int(&r, 0, (int)f.tree.n_leaves - 1)];
+        SurfacePoint p = random_leaf_point(&r, &f, l), q = random_leaf_point(&r, &f, l);
+        Vec3 d = random_direction(&r);
+        NewtonRay n = newton_ray(&(Ray){ vec_sub(p.point, d), d, 0 });
+        if (newton_view(f.s, l, &n) != NEWTON_PLAIN) continue;
+        n_plain++;
+        CHECK(det_J(&n, &p) * det_J(&n, &q) > 0, "ray %d", i);
+    }
+    CHECK(n_plain > 2500 && n_plain < 4900, "%d", n_plain);
+    done(&f);
+}
+
+static void quarters_are_leaves_that_tile_theirs(void **state)
+{
+    (void)state;
+    Model m;
+    model_torus(&m, 0.4);
+    Fixture f = fixture(&m);
+    TestRandom r = test_random(9);
+    for (int i = 0; i < 2000; i++) {
+        const Leaf *l = &f.tree.leaves[test_int(&r, 0, (int)f.tree.n_leaves - 1)];
+        double u = test_range(&r, l->u0, l->u1), v = test_range(&r, l->v0, l->v1);
+        for (int k = 0; k < 4; k++) {
+            Leaf q = newton_quarter(f.s, l, k);
+            CHECK((q.u0 <= u && u < q.u1 && q.v0 <= v && v < q.v1) ==
+                  ((u >= (l->u0 + l->u1) / 2) == (k & 1) && (v >= (l->v0 + l->v1) / 2) == k / 2), "quarter %d", k);
+            SurfacePoint p = random_leaf_point(&r, &f, &q);
+            NewtonRay n = newton_ray(&(Ray){ vec_add(p.point, vec(1, 2, 3)), vec(-1, -2, -3), 0 });
+            CHECK(newton_view(f.s, &q, &n) != NEWTON_OFF, "quarter %d", k);
+        }
     }
     done(&f);
 }
@@ -259,6 +305,8 @@ int main(void)
         cmocka_unit_test(the_same_ray_scaled_has_the_same_root),
         cmocka_unit_test(no_leaf_with_a_root_is_out_of_reach),
         cmocka_unit_test(a_ray_past_a_square_is_turned_away),
+        cmocka_unit_test(a_plain_leaf_does_not_fold),
+        cmocka_unit_test(quarters_are_leaves_that_tile_theirs),
         cmocka_unit_test(each_criterion_ends_the_iteration),
         cmocka_unit_test(a_singular_first_guess_is_left_by_jitter),
         cmocka_unit_test(a_root_on_a_border_is_found_from_both_sides),

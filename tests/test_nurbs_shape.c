@@ -105,7 +105,7 @@ static void print_tally(const char *name, const char *rays, const Tally *n, cons
                   (double)c->newton_iterations / (double)c->nurbs_tests);
 }
 
-/* Measured: 0.00 to 0.01 % are missed, 0.03 to 0.2 % see the second root of a silhouette. */
+/* Measured: none of 60,000 is missed, one sees the second root of a silhouette. */
 static void random_rays_hit_what_the_closed_form_says(void **state)
 {
     (void)state;
@@ -122,8 +122,8 @@ static void random_rays_hit_what_the_closed_form_says(void **state)
         }
         print_tally(cases[k].name, "random rays", &n, &f.t.counters);
         CHECK(n.n_false == 0, "%s: %d false hits", cases[k].name, n.n_false);
-        CHECK(n.n_missed <= 5e-4 * n.n_true, "%s: %d missed", cases[k].name, n.n_missed);
-        CHECK(n.n_far <= 5e-3 * n.n_true, "%s: %d later roots", cases[k].name, n.n_far);
+        CHECK(n.n_missed <= 5e-5 * n.n_true, "%s: %d missed", cases[k].name, n.n_missed);
+        CHECK(n.n_far <= 5e-4 * n.n_true, "%s: %d later roots", cases[k].name, n.n_far);
         done(&f);
     }
 }
@@ -154,12 +154,13 @@ static void pictures_have_no_holes(void **state)
     }
 }
 
-static void finer_leaves_miss_less(void **state)
+/* The worst case, C so small that nothing is cut: the leaves are whole octants, and yet next to nothing is missed, for a leaf
+ * that may fold is quartered for the ray. Before that was so, 3.4 % were. */
+static void flatness_is_no_matter_of_missing(void **state)
 {
     (void)state;
     Model m;
     model_sphere(&m);
-    int missed[3];
     for (int k = 0; k < 3; k++) {
         Fixture f = fixture_of(&m, (NurbsOptions){ .method = NURBS_METHOD_PAPER, .flatness = pow(8, k) / 8 });
         TestRandom r = test_random(5);
@@ -170,12 +171,11 @@ static void finer_leaves_miss_less(void **state)
         }
         NurbsInfo info;
         nurbs_shape_info(f.shape, &info);
-        missed[k] = n.n_missed;
-        print_message("  sphere, C = %g: %d leaves, missed %.4f %%\n", pow(8, k) / 8, info.n_leaves,
-                      100.0 * n.n_missed / n.n_true);
+        print_message("  sphere, C = %g: %d leaves, missed %.4f %%, a later root %.4f %%\n", pow(8, k) / 8, info.n_leaves,
+                      100.0 * n.n_missed / n.n_true, 100.0 * n.n_far / n.n_true);
+        CHECK(n.n_missed <= 2 && n.n_false == 0, "%d missed, %d false", n.n_missed, n.n_false);
         done(&f);
     }
-    CHECK(missed[0] > missed[1] && missed[1] >= missed[2], "%d %d %d", missed[0], missed[1], missed[2]);
 }
 
 static void scaling_changes_no_hit(void **state)
@@ -341,7 +341,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(random_rays_hit_what_the_closed_form_says),
         cmocka_unit_test(pictures_have_no_holes),
-        cmocka_unit_test(finer_leaves_miss_less),
+        cmocka_unit_test(flatness_is_no_matter_of_missing),
         cmocka_unit_test(scaling_changes_no_hit),
         cmocka_unit_test(hit_and_blocks_agree),
         cmocka_unit_test(a_miss_leaves_the_hit_alone),

@@ -52,22 +52,23 @@ RaySet rays_borders(const Model *m, Arena *a, size_t n);             /* through 
 typedef struct {
     const Model *model;
     NurbsMethod method;          /* trimray */
-    bool is_robust;              /* Embree */
-    double chord_error;          /* meshes: of the diagonal */
+    const struct Mesh *mesh;     /* Embree (mesh.h) */
+    bool is_robust;
+    int grid_steps;
 } EngineInput;
 
 typedef struct {
     double prep_seconds, mesh_seconds;   /* building; making the mesh that is built from */
-    size_t held, peak;           /* bytes, after and during preparation; without the mesh's own copy */
+    size_t held, peak;           /* bytes, after and during preparation; without the mesh that was given */
     size_t n_triangles;          /* 0: no mesh */
-    Counters counters;           /* since it was built */
-    double test_cycles;          /* of all timed tests; 0: not measured */
+    Counters counters;           /* since it was built or measured */
 } EngineCost;
 
 typedef struct Engine Engine;
 struct Engine {
     /* Every stride-th ray of the set: t[0], t[1], ...: the depth, INFINITY for a miss; with t_max: 0 blocked, INFINITY free. */
     void (*shoot)(Engine *e, const RaySet *set, size_t stride, double *t);
+    double (*test_seconds)(Engine *e, const RaySet *set, size_t stride, double *t);   /* average of a leaf test; NULL: none */
     void (*release)(Engine *e);
     EngineCost cost;
 };
@@ -87,7 +88,11 @@ void memory_reset_peak(void);
 
 /* ---- measures ---- */
 
-typedef struct { double rays_per_second, spread; size_t n, stride; double cycles_per_ray; } Speed;
+typedef struct {
+    double rays_per_second, spread;
+    size_t n, stride;            /* rays of a pass */
+    double cycles_per_ray, cycles_per_test;   /* the latter 0: not known */
+} Speed;
 
 /* Median of `repeats` passes; slow engines get every stride-th ray, so that a pass takes about `budget` seconds. t has room for set->n;
  * it gets the answers of the last pass. spread: (slowest - fastest) / median. */

@@ -75,7 +75,7 @@ static void embree_release(Engine *engine)
 static Embree *embree_begin(bool is_robust)
 {
     Embree *e = calloc(1, sizeof *e);
-    e->engine.shoot = embree_shoot, e->engine.release = embree_release;
+    e->engine = (Engine){ .shoot = embree_shoot, .release = embree_release };
     e->device = rtcNewDevice("threads=1");
     rtcSetDeviceErrorFunction(e->device, say_error, NULL);
     rtcSetDeviceMemoryMonitorFunction(e->device, count_memory, e);
@@ -105,24 +105,15 @@ static Engine *embree_finish(Embree *e, RTCGeometry g, double begin)
 
 Engine *engine_embree(const EngineInput *in)
 {
-    Arena *a = arena_new();
-    Mesh m = mesh_make(a, in->model, in->chord_error * in->model->diagonal);
+    static const Mesh empty = { 0 };
+    const Mesh *m = in->mesh ? in->mesh : &empty;
     Embree *e = embree_begin(in->is_robust);
     double begin = processor_now();
     RTCGeometry g = rtcNewGeometry(e->device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    give(g, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, 3 * sizeof(float), m.n_vertices, m.vertices);
-    give(g, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, 3 * sizeof(uint32_t), m.n_triangles, m.triangles);
-    e->engine.cost.mesh_seconds = m.seconds, e->engine.cost.n_triangles = m.n_triangles;
-    arena_free(a);
+    give(g, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, 3 * sizeof(float), m->n_vertices, m->vertices);
+    give(g, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, 3 * sizeof(uint32_t), m->n_triangles, m->triangles);
+    e->engine.cost.mesh_seconds = m->seconds, e->engine.cost.n_triangles = m->n_triangles;
     return embree_finish(e, g, begin);
-}
-
-/* As many steps as a bicubic patch needs for about that chord error: found by halving. */
-static int grid_steps(const EngineInput *in)
-{
-    int steps = 4;
-    while (steps < 2048 && 0.1 / (steps * steps) > in->chord_error) steps *= 2;
-    return steps;
 }
 
 Engine *engine_embree_grid(const EngineInput *in)
@@ -130,7 +121,7 @@ Engine *engine_embree_grid(const EngineInput *in)
     for (int i = 0; i < in->model->n; i++)
         if (in->model->surfaces[i].n_trims > 0) return NULL;
     Arena *a = arena_new();
-    GridMesh m = mesh_grids(a, in->model, grid_steps(in));
+    GridMesh m = mesh_grids(a, in->model, in->grid_steps);
     Embree *e = embree_begin(in->is_robust);
     double begin = processor_now();
     RTCGeometry g = rtcNewGeometry(e->device, RTC_GEOMETRY_TYPE_GRID);

@@ -5,7 +5,7 @@
 #include "tests/bench/bench.h"
 
 /* chord_error in the model's units. By trimray's own tessellation, trims respected. */
-typedef struct {
+typedef struct Mesh {
     float *vertices;             /* 3 each */
     uint32_t *triangles;         /* 3 each */
     size_t n_vertices, n_triangles;

@@ -194,6 +194,6 @@ bool model_make(Arena *a, const char *name, Model *out)
         for (int k = 0; k < s->n_u * s->n_v; k++) box = box_add_point(box, vec(s->points[k].x, s->points[k].y, s->points[k].z));
     }
     out->box = box, out->centre = box_centre(box), out->diagonal = box_diagonal(box);
-    out->light = vec_add(out->centre, vec_scale(vec(-0.6, 1.1, -0.4), out->diagonal));
+    out->light = vec_add(out->centre, vec_scale(vec(-1.0, 0.4, -0.6), out->diagonal));
     return true;
 }

@@ -1,0 +1,110 @@
+/* What was measured, as Markdown. */
+#include "tests/bench/run.h"
+
+#include <string.h>
+
+void print_preparation(const Bench *b)
+{
+    printf("| engine | triangles | mesh, s | preparation, s | held, MB | peak, MB |\n|---|---:|---:|---:|---:|---:|\n");
+    for (int i = 0; i < b->n_engines; i++) {
+        const EngineCost *c = &b->list[i].engine->cost;
+        printf("| %s | ", b->list[i].name);
+        if (c->n_triangles) printf("%zu | %.3f | ", c->n_triangles, c->mesh_seconds);
+        else printf("| | ");
+        printf("%.5f | %.3f | %.3f |\n", c->prep_seconds, (double)c->held * 1e-6, (double)c->peak * 1e-6);
+    }
+    printf("\n");
+}
+
+static void print_counters(const Counters *c, const Speed *s, const Accuracy *a, int repeats)
+{
+    if (c->nurbs_tests == 0) {
+        printf("| | | | | |\n");
+        return;
+    }
+    double passes = repeats, rays = (double)s->n * passes, tests = (double)c->nurbs_tests, hits = (double)a->hits * passes;
+    double boxes = (double)(c->bv_intersections + c->light_bv_intersections);
+    printf("%.0f | %.2f | %.2f | %.2f | %.2f | %.3f |\n", s->cycles_per_test, boxes / rays, tests / rays, tests / double_max(hits, 1),
+           (double)c->newton_iterations / tests, (double)c->fallbacks / tests);
+}
+
+static void print_row(Bench *b, int k, Entry *e)
+{
+    const Options *o = b->options;
+    const RaySet *set = &b->sets[k];
+    Speed s = measure_speed(e->engine, set, o->repeats, o->budget, b->answers);
+    Accuracy a = measure_accuracy(&b->model, set, s.stride, b->truth[k], b->answers);
+    e->speed[k] = s, e->accuracy[k] = a;
+    printf("| %s | %s | %.3f | %.0f %% | %zu | %zu | %zu | %zu | ", set->name, e->name, s.rays_per_second * 1e-6, 100 * s.spread,
+           s.stride, a.hits, a.missed, a.wrong);
+    if (set->t_max) printf("| | | ");
+    else printf("%.1e | %.1e | %.1e | ", a.largest, a.rms, a.p999);
+    printf("%.0f | ", s.cycles_per_ray);
+    print_counters(&e->engine->cost.counters, &s, &a, o->repeats);
+    fflush(stdout);
+}
+
+void print_rays(Bench *b)
+{
+    printf("| rays | engine | M rays/s | spread | 1/n | hits | missed | false | largest | RMS | 99.9 %% | cycles/ray | cycles/test "
+           "| boxes/ray | tests/ray | tests/hit | steps/test | fallbacks/test |\n"
+           "|---|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n");
+    for (int k = 0; k < b->n_sets; k++)
+        for (int i = 0; i < b->n_engines && is_listed(b->options->sets, b->sets[k].name); i++) print_row(b, k, &b->list[i]);
+    printf("\n");
+}
+
+/* ---- ratios: certain over the others, beside what is wanted ---- */
+
+typedef struct { Kind kind; double camera, random, shadow, other, preparation, memory; } Goal;   /* 0: nothing wanted */
+
+static const Goal goals[] = {
+    { IS_MESH_P999, 1, 1.5, 1.5, 0, 100, 50 },
+    { IS_MESH_RMS, 0.5, 1, 0, 0, 10, 10 },
+    { IS_GRID, 0, 0, 0, 0, 0, 0 },
+    { IS_PAPER, 8, 8, 8, 8, 0, 0 },
+    { IS_SISL, 30, 30, 30, 30, 0, 0 },
+    { IS_OCCT, 100, 100, 100, 100, 0, 0 },
+};
+
+static void print_ratio(double ratio, double wanted)
+{
+    if (!isfinite(ratio) || ratio <= 0) printf(" |");
+    else if (wanted <= 0) printf(" %.3g |", ratio);
+    else printf(" %s%.3g%s (%g) |", ratio < wanted ? "**" : "", ratio, ratio < wanted ? "**" : "", wanted);
+}
+
+static double wanted_of(const Goal *g, const char *set)
+{
+    return !strcmp(set, "camera") ? g->camera : !strcmp(set, "random") ? g->random : !strcmp(set, "shadow") ? g->shadow : g->other;
+}
+
+static const Goal *goal_of(Kind kind)
+{
+    for (size_t i = 0; i < sizeof goals / sizeof *goals; i++)
+        if (goals[i].kind == kind) return &goals[i];
+    return NULL;
+}
+
+void print_ratios(const Bench *b)
+{
+    if (b->n_engines < 2 || b->list[0].kind != IS_CERTAIN) return;
+    const Entry *certain = &b->list[0];
+    const EngineCost *own = &certain->engine->cost;
+    printf("How many times better `certain` is than the others; in brackets what is wanted, in bold what is not reached.\n\n"
+           "| against |");
+    for (int k = 0; k < b->n_sets; k++) printf(" %s |", b->sets[k].name);
+    printf(" preparation | memory held |\n|---|---:|---:|---:|---:|---:|---:|---:|\n");
+    for (int i = 1; i < b->n_engines; i++) {
+        const Entry *e = &b->list[i];
+        const Goal *g = goal_of(e->kind);
+        if (!g) continue;
+        printf("| %s |", e->name);
+        for (int k = 0; k < b->n_sets; k++)
+            print_ratio(certain->speed[k].rays_per_second / e->speed[k].rays_per_second, wanted_of(g, b->sets[k].name));
+        print_ratio(e->engine->cost.prep_seconds / own->prep_seconds, g->preparation);
+        print_ratio((double)e->engine->cost.held / (double)own->held, g->memory);
+        printf("\n");
+    }
+    printf("\n");
+}

@@ -1,7 +1,8 @@
 /* intersection and merge; a difference is the intersection of its first part with the inverses of the others.
  *
- * All hits of all parts, in order of t. One that stands alone is on the surface of the whole if its point is inside all
- * other parts (of a merge: inside none of them). Hits of several parts at one place (faces that coincide, a ray through an
+ * All hits of all parts, in order of t. One that stands alone is on the surface of the whole if it is inside all other parts
+ * (of a merge: inside none of them); that is asked a little behind it, off the edges of parts that the ray may only touch
+ * there. Hits of several parts at one place (faces that coincide, a ray through an
  * edge) would be lost or doubled by that rule, as rounding has it: there the question is whether the whole changes between
  * inside and outside from before the place to behind it. If so, it has one hit, that of the last part (POV-Ray's choice at
  * equal depth); if not, none, but for surfaces that have no inside, which are kept where the parts they touch let them.
@@ -164,7 +165,8 @@ static bool sheet_is_kept(const Csg *c, const Place *p, const Tied *sheet)
 static const Tied *kept_at(const Walk *w, size_t first, size_t end)
 {
     Place p = tie(w, first, end);
-    if (!others_allow(w, &p, ray_at(w->ray, w->candidates[first].t))) return NULL;
+    double behind = w->candidates[end - 1].t + .5 * reach_of(w, end - 1);
+    if (!others_allow(w, &p, ray_at(w->ray, behind))) return NULL;
     if (p.n == 1 && end == first + 1) return &p.parts[0];
     find_states(w, &p, first, end);
     const Tied *kept = changing(w->csg, &p);

@@ -19,7 +19,7 @@ while :; do
     shift
 done
 
-need gcc libc6-dev make cmake python3 libpng-dev libcjson-dev libcmocka-dev libgmp-dev povray povray-includes povray-examples
+need gcc libc6-dev make cmake python3 libpng-dev libcjson-dev libcmocka-dev libgmp-dev libflint-dev libflint-arb-dev povray povray-includes povray-examples
 [ "${CC-}" != clang ] || need clang libclang-rt-dev
 build "$root/build$suffix" all -DCMAKE_BUILD_TYPE=$type -DCMAKE_C_FLAGS_DEBUG='-O1 -g' -DTRIMRAY_SANITIZE=$sanitize \
     -DTRIMRAY_TESTS=ON

@@ -285,7 +285,8 @@ static Ray ray_in_surface(const Model *m, double by, TestRandom *r)
 {
     const Net *n = &m->plain;
     double u = test_unit(r) * domain_end(n, 0);
-    Quad3 p = net_point(n, u, 0), q = net_point(n, u, domain_end(n, 1)), side = quad3_scale(random_direction(r), by * m->size);
+    Quad3 p = net_point(n, u, 0), q = net_point(n, u, domain_end(n, 1));
+    Quad3 side = quad3_scale(random_direction(r), by * m->size);
     Ray ray = ray_towards(m, quad3_add(p, side), quad3_sub(q, p), test_int(r, 0, 3) ? test_range(r, .1, 4) : 0, r);
     if (vec_length(ray.dir) > 0) return ray;
     ray.dir = quad3_round(quad3_sub(q, p));

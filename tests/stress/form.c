@@ -1,5 +1,5 @@
-/* See form.h. Polynomial nets come from monomials: the Bernstein coefficients of x^p on [-1, 1] are its blossom at j ones and
- * n - j minus ones, the mean of their products by p. */
+/* See form.h. Polynomial nets come from monomials: the Bernstein coefficients of x^p on [-1, 1] are its blossom at j ones
+ * and n - j minus ones, the mean of their products by p. */
 #include "tests/stress/form.h"
 
 static HalfSpace half_space(double x, double y, double z, double at) { return (HalfSpace){ { x, y, z }, at }; }
@@ -179,7 +179,8 @@ Form form_saddle(Arena *a, double height, Net *n)
 {
     const Term z[2] = { { height, 1, 1 } };
     fill(a, n, 2, 2, term_u, term_v, z);
-    return on_square((Form){ .name = "saddle", .along = saddle_along, .gradient = saddle_gradient, .hessian = 16, .par = { height } });
+    return on_square((Form){ .name = "saddle", .along = saddle_along, .gradient = saddle_gradient, .hessian = 16,
+                             .par = { height } });
 }
 
 static Poly paraboloid_along(const Form *f, Poly x, Poly y, Poly z) { return minus_height(f, z, square_sum(x, y)); }
@@ -235,8 +236,8 @@ Form form_flat_point(Arena *a, double height, Net *n)
 
 /* ---- extrusions along z ---- */
 
-/* The conic through (1, 0) and (0, 1) with (0, 0) between them: with f1 = 1 - x - y it is f1^2 = 4 weight^2 x y. The arc is where
- * 0 <= f1 <= 1; beyond are the rest of an ellipse, or the other branch of a hyperbola. */
+/* The conic through (1, 0) and (0, 1) with (0, 0) between them: with f1 = 1 - x - y it is f1^2 = 4 weight^2 x y. The arc
+ * is where 0 <= f1 <= 1; beyond are the rest of an ellipse, or the other branch of a hyperbola. */
 static Poly bend_along(const Form *f, Poly x, Poly y, Poly z)
 {
     (void)z;
@@ -281,8 +282,8 @@ Form form_loop(Arena *a, double size, Net *n)
 {
     const Term x[2] = { { 1, 3, 0 }, { -(Quad)size, 1, 0 } }, y[2] = { { 1, 2, 0 } };
     fill(a, n, 4, 2, x, y, term_v);
-    return (Form){ .name = "loop", .along = loop_along, .gradient = loop_gradient, .hessian = 16, .par = { size }, .n_sides = 3,
-                   .side = { half_space(0, -1, 0, 1), half_space(0, 0, 1, 1), half_space(0, 0, -1, 1) } };
+    return (Form){ .name = "loop", .along = loop_along, .gradient = loop_gradient, .hessian = 16, .par = { size },
+                   .n_sides = 3, .side = { half_space(0, -1, 0, 1), half_space(0, 0, 1, 1), half_space(0, 0, -1, 1) } };
 }
 
 static Poly whitney_along(const Form *f, Poly x, Poly y, Poly z)

@@ -28,7 +28,7 @@ Form form_saddle(Arena *a, double height, Net *n);               /* z = height x
 Form form_paraboloid(Arena *a, double height, Net *n);           /* z = height (x^2 + y^2) */
 Form form_monkey(Arena *a, double height, Net *n);               /* z = height (x^3 - 3 x y^2): flat at the origin */
 Form form_flat_point(Arena *a, double height, Net *n);           /* z = height x^2 y^2: flat along both axes */
-Form form_bend(Arena *a, double weight, Net *n);                 /* extruded conic: right angle, corner radius ~ 1/weight^2 */
+Form form_bend(Arena *a, double weight, Net *n);                 /* extruded conic: a corner, radius ~ 1/weight^2 */
 Form form_loop(Arena *a, double size, Net *n);                   /* extruded (t^3 - size t, t^2): size 0: a cusp */
 Form form_whitney(Arena *a, Net *n);                             /* x = z^3 + y z: a fold that ends, seen along z */
 

@@ -98,7 +98,8 @@ void judge_report(FILE *to, const Model *m, const Ray *r, const Truth *truth, Ve
     const SurfaceDesc *d = &m->desc;
     fprintf(to, "/* %s: %s; t %.17g at (%.17g, %.17g)\n", m->at.form.name, judgement_name[v.judgement],
             v.is_hit ? v.t : INFINITY, v.u, v.v);
-    fprintf(to, "   the truth (errors relative to %.3Lg; band %.3g, %d trims):\n", truth->length, truth_band(&m->at, r), d->n_trims);
+    fprintf(to, "   the truth (errors relative to %.3Lg; band %.3g, %d trims):\n", truth->length, truth_band(&m->at, r),
+            d->n_trims);
     for (int i = 0; i < truth->n; i++) {
         const TruthRoot *root = &truth->root[i];
         fprintf(to, "   t %.20Lg  -%.3Lg +%.3Lg  %s%s\n", root->t, root->t - root->lo, root->hi - root->t,
@@ -110,8 +111,8 @@ void judge_report(FILE *to, const Model *m, const Ray *r, const Truth *truth, Ve
     fprintf(to, "static const Vec4 points[] = {\n");
     for (int i = 0; i < d->n_u * d->n_v; i++)
         fprintf(to, "    { %a, %a, %a, %a },\n", d->points[i].x, d->points[i].y, d->points[i].z, d->points[i].w);
-    fprintf(to, "};\nstatic const SurfaceDesc desc = { .order_u = %d, .order_v = %d, .n_u = %d, .n_v = %d, .knots_u = knots_u,\n"
-            "                                   .knots_v = knots_v, .points = points };\n", d->order_u, d->order_v, d->n_u, d->n_v);
+    fprintf(to, "};\nstatic const SurfaceDesc desc = { .order_u = %d, .order_v = %d, .n_u = %d, .n_v = %d,\n"
+            "    .knots_u = knots_u, .knots_v = knots_v, .points = points };\n", d->order_u, d->order_v, d->n_u, d->n_v);
     fprintf(to, "static const Ray ray = { { %a, %a, %a }, { %a, %a, %a }, %a };\n", r->origin.x, r->origin.y, r->origin.z,
             r->dir.x, r->dir.y, r->dir.z, r->t_min);
 }

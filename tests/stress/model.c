@@ -13,22 +13,28 @@ static void measure(Model *m)
     Vec3 lo = { INFINITY, INFINITY, INFINITY }, hi = { -INFINITY, -INFINITY, -INFINITY };
     for (int i = 0; i < m->desc.n_u * m->desc.n_v; i++) {
         Vec4 p = m->desc.points[i];
-        lo = vec(fmin(lo.x, p.x), fmin(lo.y, p.y), fmin(lo.z, p.z)), hi = vec(fmax(hi.x, p.x), fmax(hi.y, p.y), fmax(hi.z, p.z));
+        lo = vec(fmin(lo.x, p.x), fmin(lo.y, p.y), fmin(lo.z, p.z));
+        hi = vec(fmax(hi.x, p.x), fmax(hi.y, p.y), fmax(hi.z, p.z));
     }
     m->size = vec_length(vec_sub(hi, lo)) / 2;
     m->at.extent = fmax(vec_max_abs(lo), vec_max_abs(hi));
     m->at.k_sum = m->desc.order_u + m->desc.order_v;
 }
 
-void model_finish(Model *m, const QuadMap *place, const TrimLoopDesc *trims, int n_trims)
+void model_place(Model *m, const QuadMap *place)
 {
     m->at.to_world = *place, m->at.to_local = quad_map_inverse(place);
     m->plain.p = arena_copy(m->arena, m->plain.p, (size_t)(m->plain.n[0] * m->plain.n[1]), sizeof(Quad4));
     net_map(&m->plain, place);
     net_map(&m->net, place);
     m->desc = net_round(m->arena, &m->net);
-    m->desc.trims = trims, m->desc.n_trims = n_trims;
     measure(m);
+}
+
+void model_finish(Model *m, const QuadMap *place, const TrimLoopDesc *trims, int n_trims)
+{
+    model_place(m, place);
+    m->desc.trims = trims, m->desc.n_trims = n_trims;
     for (int i = 0; i < N_METHODS; i++) {
         NurbsOptions options = { .method = i ? NURBS_METHOD_CERTAIN : NURBS_METHOD_PAPER };
         NurbsError error;

@@ -24,7 +24,10 @@ struct Model {
 /* Begins with a form about the origin of the world. */
 Model model_new(Arena *a, Form form, Net net);
 
-/* Rounds, and makes the shapes. `trims` may be NULL. Exits with a message if the constructor refuses. */
+/* Places and rounds: desc, size and at are known, the shapes are not. */
+void model_place(Model *m, const QuadMap *place);
+
+/* The same, and makes the shapes. `trims` may be NULL. Exits with a message if the constructor refuses. */
 void model_finish(Model *m, const QuadMap *place, const TrimLoopDesc *trims, int n_trims);
 
 void model_truth(const Model *m, const Ray *r, Truth *out);

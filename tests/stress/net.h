@@ -1,5 +1,5 @@
-/* Control nets in quadruple precision, and what changes the representation of a surface but not the surface: the same shape in
- * a thousand disguises, each rounded to double once, at the end. */
+/* Control nets in quadruple precision, and what changes the representation of a surface but not the surface: the same
+ * shape in a thousand disguises, each rounded to double once, at the end. */
 #ifndef TRIMRAY_STRESS_NET_H
 #define TRIMRAY_STRESS_NET_H
 
@@ -23,8 +23,8 @@ void net_set_lengths(Net *n, int axis, const double *lengths);
 /* Raises the order along an axis; pieces as in net_new. */
 void net_raise(Arena *a, Net *n, int axis, int k);
 
-/* Moebius' change of parameter in each piece, turn and turn about: the weights of a piece grow by `ratio` from one end to the
- * other, and shrink again in the next. */
+/* Moebius' change of parameter in each piece, turn and turn about: the weights of a piece grow by `ratio` from one end to
+ * the other, and shrink again in the next. */
 void net_mobius(Net *n, int axis, double ratio);
 
 /* Inserts a knot inside the domain, where its multiplicity is less than k - 1 ([PT97] A5.1). */

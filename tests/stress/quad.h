@@ -62,8 +62,8 @@ Poly poly_mul(Poly a, Poly b);                                /* the degrees mus
 Poly poly_derivative(Poly a);
 Quad poly_at(const Poly *a, Quad s);
 
-/* The places in (lo, hi), ascending, where a changes sign or touches zero; a touch may be missed by rounding, as may a pair of
- * roots that is closer than it: who cares looks at the roots of the derivative too. Room for a.n. */
+/* The places in (lo, hi), ascending, where a changes sign or touches zero; a touch may be missed by rounding, as may a
+ * pair of roots that is closer than it: who cares looks at the roots of the derivative too. Room for a.n. */
 int poly_roots(const Poly *a, Quad lo, Quad hi, Quad out[]);
 
 #endif

@@ -3,8 +3,8 @@
  *   stress [--rays N] [--family NAME] [--seed S] [--knobs] [--failures DIR] [--of METHOD]
  *
  * N rays for each family and each value of its knob; --knobs prints a row for each of these; --failures writes the first
- * surfaces and rays that a method (`certain`, if no other is named) gets wrong into files. The exit status is 1 if it got one wrong: missed, false, or t
- * wrong by more than 1e-12 outside the band (truth.h says what that is). */
+ * surfaces and rays that a method (`certain`, if no other is named) gets wrong into files. The exit status is 1 if it got
+ * one wrong: missed, false, or t wrong by more than 1e-12 outside the band (truth.h says what that is). */
 #include "tests/stress/family.h"
 #include "tests/stress/judge.h"
 
@@ -153,7 +153,8 @@ int main(int argc, char **argv)
         fprintf(stderr, "usage: stress [--rays N] [--family NAME] [--seed S] [--knobs] [--failures DIR] [--of METHOD]\n");
         return 2;
     }
-    printf("| family | knob | method | rays | hits | in the band | missed | false | inexact | largest t error | fallbacks | ns a ray | slowest, µs |\n"
+    printf("| family | knob | method | rays | hits | in the band | missed | false | inexact | largest t error | fallbacks "
+           "| ns a ray | slowest, µs |\n"
            "| --- | --- | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n");
     signal(SIGALRM, bark);
     Row total[N_METHODS] = { 0 };

@@ -1,6 +1,7 @@
-/* See truth.h. On the ray f is a polynomial g(s). A point with |f| <= |grad f| band + |Hessian| band^2 / 2 is about as near to the
- * surface as the band, or nearer (the second term matters at cusps and apices, where grad f vanishes). A root's interval is
- * where the ray is that near; roots in one interval count together: an odd number stays, an even one may not. */
+/* See truth.h. On the ray f is a polynomial g(s). A point with |f| <= |grad f| band + |Hessian| band^2 / 2 is about as
+ * near to the surface as the band, or nearer (the second term matters at cusps and apices, where grad f vanishes). A
+ * root's interval is where the ray is that near; roots in one interval count together: an odd number stays, an even one
+ * may not. */
 #include "tests/stress/truth.h"
 
 #define REACH 4              /* forms lie within a ball of this radius about their origin */

@@ -50,6 +50,13 @@ static Value item_pigment_map(Parser *p)
     return v;
 }
 
+static Value item_texture_map(Parser *p)
+{
+    Value v = { .kind = VALUE_TEXTURE_MAP };
+    parse_texture_map(p, &v.texture_map, &v.n);
+    return v;
+}
+
 static Value item_sky_sphere(Parser *p) { return (Value){ .kind = VALUE_SKY_SPHERE, .sky = parse_sky_sphere(p) }; }
 
 static Value item_fog(Parser *p) { return (Value){ .kind = VALUE_FOG, .fog = parse_fog(p) }; }
@@ -60,7 +67,8 @@ static const struct {
 } items[] = {
     { "texture", item_texture }, { "pigment", item_pigment }, { "finish", item_finish }, { "interior", item_interior },
     { "camera", item_camera }, { "light_source", item_light }, { "color_map", item_color_map },
-    { "colour_map", item_color_map }, { "pigment_map", item_pigment_map }, { "sky_sphere", item_sky_sphere },
+    { "colour_map", item_color_map }, { "pigment_map", item_pigment_map }, { "texture_map", item_texture_map },
+    { "sky_sphere", item_sky_sphere },
     { "fog", item_fog },
 };
 
@@ -186,11 +194,20 @@ void parse_statement(Parser *p)
     add_object(p, o);
 }
 
+/* Pigments and finishes start from the default texture's: it must have some. */
+static const Texture *parse_default_texture(Parser *p)
+{
+    Place where = here(p);
+    const Texture *t = parse_texture(p);
+    if (t->map) parse_fail(p, where, "a texture that chooses between textures by a pattern cannot be the default");
+    return t;
+}
+
 void parse_default_items(Parser *p)
 {
     Scene *s = parser_scene(p);
     for (;;) {
-        if (accept_word(p, "texture")) s->default_texture = parse_texture(p);
+        if (accept_word(p, "texture")) s->default_texture = parse_default_texture(p);
         else if (accept_word(p, "pigment")) s->default_texture = texture_with_pigment(p, s->default_texture);
         else if (accept_word(p, "finish")) s->default_texture = texture_with_finish(p, s->default_texture);
         else return;

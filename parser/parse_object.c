@@ -46,6 +46,7 @@ void refuse_word(Parser *p, const char *word, const char *feature)
 /* A copy of t moved with its object; what is mapped by uv stays as it is. */
 static const Texture *texture_moved(Parser *p, const Texture *t, const Xform *x)
 {
+    if (t->map) return texture_transformed(parser_arena(p), t, x);
     Layer *layers = arena_copy(parser_arena(p), t->layers, (size_t)t->n_layers, sizeof *layers);
     for (int i = 0; i < t->n_layers; i++) {
         if (layers[i].pigment->uv_mapping) continue;

@@ -45,12 +45,11 @@ static void read_blocks(Parser *p, Pigment *g)
 static void read_pattern(Parser *p, Pigment *g, const PatternType *type)
 {
     if (g->kind == PIGMENT_BLOCKS) g->n_entries = 0;   /* colours of blocks are no map */
-    g->pattern = pattern_make(type);
+    g->pattern = parse_pattern(p, type);
     if (type->n_blocks > 0) {
         read_blocks(p, g);
         return;
     }
-    if (strcmp(type->name, "gradient") == 0) g->pattern.direction = vec_normalize(parse_vec3(p));
     g->kind = PIGMENT_MAP;
 }
 
@@ -60,21 +59,6 @@ static void read_color_map(Parser *p, Pigment *g) { g->entries = parse_color_map
 static void read_pigment_map(Parser *p, Pigment *g) { g->entries = parse_pigment_map(p, &g->n_entries); }
 static void read_image_map(Parser *p, Pigment *g) { g->kind = PIGMENT_IMAGE, g->image = parse_image_map(p); }
 static void read_uv_mapping(Parser *p, Pigment *g) { (void)p, g->uv_mapping = true; }
-static void read_frequency(Parser *p, Pigment *g) { g->pattern.frequency = parse_float(p); }
-static void read_phase(Parser *p, Pigment *g) { g->pattern.phase = parse_float(p); }
-static void read_brick_size(Parser *p, Pigment *g) { g->pattern.brick_size = parse_vec3(p); }
-static void read_mortar(Parser *p, Pigment *g) { g->pattern.mortar = (float)parse_float(p); }
-static void read_ramp(Parser *p, Pigment *g) { (void)p, g->pattern.wave = WAVE_RAMP; }
-static void read_triangle(Parser *p, Pigment *g) { (void)p, g->pattern.wave = WAVE_TRIANGLE; }
-static void read_sine(Parser *p, Pigment *g) { (void)p, g->pattern.wave = WAVE_SINE; }
-static void read_scallop(Parser *p, Pigment *g) { (void)p, g->pattern.wave = WAVE_SCALLOP; }
-static void read_cubic(Parser *p, Pigment *g) { (void)p, g->pattern.wave = WAVE_CUBIC; }
-
-static void read_poly(Parser *p, Pigment *g)
-{
-    g->pattern.wave = WAVE_POLY;
-    if (starts_expression(p)) g->pattern.exponent = parse_float(p);
-}
 
 static const struct {
     const char *word;
@@ -82,10 +66,7 @@ static const struct {
 } words[] = {
     { "color_map", read_color_map }, { "colour_map", read_color_map }, { "pigment_map", read_pigment_map },
     { "image_map", read_image_map },
-    { "uv_mapping", read_uv_mapping }, { "frequency", read_frequency }, { "phase", read_phase },
-    { "brick_size", read_brick_size }, { "mortar", read_mortar }, { "ramp_wave", read_ramp },
-    { "triangle_wave", read_triangle }, { "sine_wave", read_sine }, { "scallop_wave", read_scallop },
-    { "cubic_wave", read_cubic }, { "poly_wave", read_poly },
+    { "uv_mapping", read_uv_mapping },
 };
 
 static const char *const left_out[] = { "quick_color", "quick_colour", NULL };
@@ -104,7 +85,7 @@ static bool read_word(Parser *p, Pigment *g, Token t)
         words[i].read(p, g);
         return true;
     }
-    return parse_left_out(p, left_out);
+    return parse_pattern_item(p, &g->pattern) || parse_left_out(p, left_out);
 }
 
 static bool read_item(Parser *p, Pigment *g)

@@ -13,8 +13,15 @@ static Layer *texture_copy(Parser *p, const Texture *t, Texture **copy)
     return layers;
 }
 
+/* What chooses between textures has no pigment, no finish and no layers of its own. */
+static void refuse_map(Parser *p, const Texture *t, const char *what)
+{
+    if (t->map) parse_fail(p, here(p), "a texture that chooses between textures by a pattern has no %s", what);
+}
+
 const Texture *texture_with_pigment(Parser *p, const Texture *t)
 {
+    refuse_map(p, t, "pigment");
     Pigment g = parse_pigment_from(p, t->layers[t->n_layers - 1].pigment);
     Texture *copy;
     Layer *layers = texture_copy(p, t, &copy);
@@ -24,6 +31,7 @@ const Texture *texture_with_pigment(Parser *p, const Texture *t)
 
 const Texture *texture_with_finish(Parser *p, const Texture *t)
 {
+    refuse_map(p, t, "finish");
     Finish f = parse_finish_from(p, t->layers[t->n_layers - 1].finish);
     Texture *copy;
     Layer *layers = texture_copy(p, t, &copy);
@@ -33,6 +41,8 @@ const Texture *texture_with_finish(Parser *p, const Texture *t)
 
 const Texture *texture_layered(Parser *p, const Texture *below, const Texture *top)
 {
+    refuse_map(p, below, "layers");
+    refuse_map(p, top, "layers");
     Layer *layers = ARENA_ARRAY(parser_arena(p), Layer, below->n_layers + top->n_layers);
     memcpy(layers, below->layers, (size_t)below->n_layers * sizeof *layers);
     memcpy(layers + below->n_layers, top->layers, (size_t)top->n_layers * sizeof *layers);
@@ -48,14 +58,6 @@ static const Texture *texture_with_uv_mapping(Parser *p, const Texture *t)
     return copy;
 }
 
-/* A pattern straight in a texture chooses between textures: named after its map. */
-static void refuse_texture_patterns(Parser *p)
-{
-    Token t = peek(p);
-    if (t.kind == TOKEN_WORD && pattern_type(t.text)) refuse_word(p, t.text, "texture_map");
-    refuse_word(p, "object", "object pattern");
-}
-
 bool parse_texture_item(Parser *p, const Texture **t)
 {
     Xform x = xform_identity();
@@ -67,14 +69,22 @@ bool parse_texture_item(Parser *p, const Texture **t)
     return true;
 }
 
+const Texture *parse_texture_body(Parser *p)
+{
+    const Texture *t = parse_mapped_texture(p);
+    Value v;
+    if (t) return t;
+    t = parser_scene(p)->default_texture;
+    if (accept_value(p, VALUE_TEXTURE, &v)) t = v.texture;
+    while (parse_texture_item(p, &t)) continue;
+    refuse_word(p, "object", "object pattern");
+    return t;
+}
+
 const Texture *parse_texture(Parser *p)
 {
     Place opened = expect_open(p, "texture");
-    const Texture *t = parser_scene(p)->default_texture;
-    Value v;
-    if (accept_value(p, VALUE_TEXTURE, &v)) t = v.texture;
-    while (parse_texture_item(p, &t)) continue;
-    refuse_texture_patterns(p);
+    const Texture *t = parse_texture_body(p);
     expect_close(p, '}', "texture", opened);
     return t;
 }

@@ -39,7 +39,14 @@ void refuse_word(Parser *p, const char *word, const char *feature);
 bool parse_texture_item(Parser *p, const Texture **t);  /* what may stand in texture { }: changes *t; false: none */
 const Texture *texture_with_pigment(Parser *p, const Texture *t);    /* after the word: the top layer's is changed */
 const Texture *texture_with_finish(Parser *p, const Texture *t);
-const Texture *texture_layered(Parser *p, const Texture *below, const Texture *top);
+const Texture *texture_layered(Parser *p, const Texture *below, const Texture *top);   /* `top` may be a map: an error */
+const Texture *parse_texture_body(Parser *p);           /* what stands between the braces */
+/* parse_pattern.c: after the word; then what shapes a pattern, of which there may be any number. */
+Pattern parse_pattern(Parser *p, const PatternType *type);
+bool parse_pattern_item(Parser *p, Pattern *g);
+/* parse_texture_map.c: a texture that begins with a pattern's word; NULL, nothing taken: it does not. */
+const Texture *parse_mapped_texture(Parser *p);
+void parse_texture_map(Parser *p, const TextureEntry **entries, int *n);   /* after the word */
 
 /* parse_pigment.c: after the word. POV-Ray's pigments and finishes start from what was there: so do these. */
 Pigment parse_pigment_from(Parser *p, const Pigment *base);

@@ -13,7 +13,7 @@ typedef enum {
     VALUE_NONE,
     VALUE_FLOAT, VALUE_VECTOR, VALUE_COLOR, VALUE_STRING, VALUE_ARRAY,
     VALUE_OBJECT, VALUE_TEXTURE, VALUE_PIGMENT, VALUE_FINISH, VALUE_INTERIOR, VALUE_TRANSFORM, VALUE_CAMERA, VALUE_LIGHT,
-    VALUE_COLOR_MAP, VALUE_PIGMENT_MAP, VALUE_SKY_SPHERE, VALUE_FOG,
+    VALUE_COLOR_MAP, VALUE_PIGMENT_MAP, VALUE_TEXTURE_MAP, VALUE_SKY_SPHERE, VALUE_FOG,
     VALUE_MACRO,
     VALUE_UNSUPPORTED      /* declared, with something that is not supported: an error where it is used */
 } ValueKind;
@@ -39,6 +39,7 @@ typedef struct {
         const CameraDesc *camera;
         const Light *light;
         const PigmentEntry *map;            /* COLOR_MAP, PIGMENT_MAP */
+        const TextureEntry *texture_map;
         const SkySphere *sky;
         const Fog *fog;
         Macro *macro;

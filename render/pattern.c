@@ -124,6 +124,24 @@ static double wave_value(const Pattern *p, double v)
     }
 }
 
+static float key_of(const void *entries, size_t size, int i)
+{
+    float key;
+    memcpy(&key, (const char *)entries + (size_t)i * size, sizeof key);
+    return key;
+}
+
+MapSpot pattern_spot(const void *entries, size_t size, int n, double value)
+{
+    if (value >= key_of(entries, size, n - 1)) return (MapSpot){ n - 1, n - 1, 0 };
+    int j = 0;
+    while (key_of(entries, size, j) < value) j++;
+    double high = key_of(entries, size, j);
+    if (j == 0 || high == value) return (MapSpot){ j, j, 0 };
+    double low = key_of(entries, size, j - 1);
+    return (MapSpot){ j - 1, j, (value - low) / (high - low) };
+}
+
 double pattern_value(const Pattern *p, Vec3 point)
 {
     double v = p->type->value(p, point);

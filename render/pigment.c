@@ -30,19 +30,14 @@ static Color default_map(const PatternType *type, double value)
     return color_lerp(hues[i], hues[i + 1], fmin((value - keys[i]) / (keys[i + 1] - keys[i]), 1));
 }
 
-/* The first entry with a key not below the value, and the one before it. Two entries with the same key are a step. */
 static Color map_color(const Pigment *p, Vec3 point, Vec2 uv)
 {
     double value = pattern_value(&p->pattern, point);
     if (p->n_entries == 0) return default_map(p->pattern.type, value);
-    const PigmentEntry *e = p->entries, *last = e + p->n_entries - 1;
-    if (value >= last->key) return pigment_color(last->pigment, point, uv);
-    int j = 0;
-    while (e[j].key < value) j++;
-    Color high = pigment_color(e[j].pigment, point, uv);
-    if (j == 0 || e[j].key == value) return high;
-    double low_key = e[j - 1].key, share = (value - low_key) / (e[j].key - low_key);
-    return color_lerp(pigment_color(e[j - 1].pigment, point, uv), high, share);
+    MapSpot at = pattern_spot(p->entries, sizeof *p->entries, p->n_entries, value);
+    Color high = pigment_color(p->entries[at.high].pigment, point, uv);
+    if (at.low == at.high) return high;
+    return color_lerp(pigment_color(p->entries[at.low].pigment, point, uv), high, at.share);
 }
 
 Color pigment_color(const Pigment *p, Vec3 point, Vec2 uv)

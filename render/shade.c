@@ -280,25 +280,49 @@ static Pixel flat_color(const Surface *at)
     return (Pixel){ c.r, c.g, c.b, 0 };
 }
 
-static Pixel shade_hit(Tracer *x, const Ray *r, const Hit *h, Path path)
+static Pixel shade_map(Tracer *x, const Surface *at, Path path);
+
+static Pixel shade_texture(Tracer *x, const Surface *at, Path path)
 {
-    Surface at = surface_at(x->scene, r, h);
-    if (at.texture->n_layers == 0) return (Pixel){ 0 };
-    if (x->quality < Q_LIGHT) return flat_color(&at);
+    if (at->texture->map) return shade_map(x, at, path);
+    if (at->texture->n_layers == 0) return (Pixel){ 0 };
+    if (x->quality < Q_LIGHT) return flat_color(at);
     Rgb through;
-    LayerAt *layers = ARENA_ARRAY(x->trace->scratch, LayerAt, at.texture->n_layers);
-    int n = walk_layers(x, &at, path.media, layers, &through);
-    Rgb sum = rgb_add(own_light(x->scene, layers, n), lit_by_all(x, &at, layers, n, path.media));
+    LayerAt *layers = ARENA_ARRAY(x->trace->scratch, LayerAt, at->texture->n_layers);
+    int n = walk_layers(x, at, path.media, layers, &through);
+    Rgb sum = rgb_add(own_light(x->scene, layers, n), lit_by_all(x, at, layers, n, path.media));
     if (!x->scene->needs_secondary_rays) return (Pixel){ sum.r, sum.g, sum.b, 0 };
     Pixel behind = { 0 };
     double transmit = transmit_of(through);
     bool is_total = false;
     if (x->quality >= Q_TRANSMISSION && transmit > x->scene->adc_bailout) {
-        behind = trace_through(x, &at, path, through, &is_total);
+        behind = trace_through(x, at, path, through, &is_total);
         sum = rgb_add(sum, is_total ? pixel_rgb(behind) : rgb_mul(pixel_rgb(behind), through));
     }
-    if (x->quality >= Q_REFLECTION && !is_total) sum = rgb_add(sum, reflections(x, &at, layers, n, path));
+    if (x->quality >= Q_REFLECTION && !is_total) sum = rgb_add(sum, reflections(x, at, layers, n, path));
     return (Pixel){ sum.r, sum.g, sum.b, is_total ? 0 : behind.transmit * transmit };
+}
+
+/* Between two entries of its map a texture is both of them, each lit, mirroring and letting through for itself. */
+static Pixel shade_map(Tracer *x, const Surface *at, Path path)
+{
+    TextureChoice choices[2];
+    Pixel sum = { 0 };
+    int n = texture_choose(at->texture->map, at->texture_point, choices);
+    for (int i = 0; i < n; i++) {
+        Surface part = surface_with(at, &choices[i]);
+        Pixel seen = shade_texture(x, &part, path);
+        double share = choices[i].share;
+        sum = (Pixel){ sum.r + share * seen.r, sum.g + share * seen.g, sum.b + share * seen.b,
+                       sum.transmit + share * seen.transmit };
+    }
+    return sum;
+}
+
+static Pixel shade_hit(Tracer *x, const Ray *r, const Hit *h, Path path)
+{
+    Surface at = surface_at(x->scene, r, h);
+    return shade_texture(x, &at, path);
 }
 
 /* The nearest hit. What lies nearer than its own error may be the surface that the ray has just left: the next counts. */

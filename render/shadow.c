@@ -3,14 +3,29 @@
 
 static bool is_black(Rgb c) { return c.r == 0 && c.g == 0 && c.b == 0; }
 
+static Rgb through_map(const Surface *blocker, Rgb light);
+
 /* What a transparent blocker lets through: every layer filters. */
 static Rgb through_layers(const Surface *blocker, Rgb light)
 {
+    if (blocker->texture->map) return through_map(blocker, light);
     for (int i = 0; i < blocker->texture->n_layers; i++) {
         Color c = surface_color(blocker, &blocker->texture->layers[i]);
         light = rgb_mul(light, rgb(c.r * c.filter + c.transmit, c.g * c.filter + c.transmit, c.b * c.filter + c.transmit));
     }
     return light;
+}
+
+static Rgb through_map(const Surface *blocker, Rgb light)
+{
+    TextureChoice choices[2];
+    Rgb sum = rgb(0, 0, 0);
+    int n = texture_choose(blocker->texture->map, blocker->texture_point, choices);
+    for (int i = 0; i < n; i++) {
+        Surface part = surface_with(blocker, &choices[i]);
+        sum = rgb_add(sum, rgb_scale(through_layers(&part, light), choices[i].share));
+    }
+    return sum;
 }
 
 /* Light goes straight on through glass; `caustics` imitates the bundling by a lens. */

@@ -21,6 +21,14 @@ Surface surface_at(const Scene *s, const Ray *r, const Hit *h)
     return at;
 }
 
+Surface surface_with(const Surface *at, const TextureChoice *choice)
+{
+    Surface part = *at;
+    part.texture = choice->texture;
+    part.texture_point = choice->texture->uv_mapping ? vec(at->uv.x, at->uv.y, 0) : choice->point;
+    return part;
+}
+
 Color surface_color(const Surface *at, const Layer *layer)
 {
     return pigment_color(layer->pigment, at->texture_point, at->uv);

@@ -24,6 +24,9 @@ Vec3 surface_leave(const Surface *at, Vec3 dir);
 /* The length of a ray from `from` that ends just before `to`, of which it is `distance` away. */
 double surface_stop_before(Vec3 from, Vec3 to, double distance);
 
+/* The same place with one of the textures that its own chooses from (texture_choose). */
+Surface surface_with(const Surface *at, const TextureChoice *choice);
+
 /* The colour of one of its layers. */
 Color surface_color(const Surface *at, const Layer *layer);
 

@@ -1,5 +1,24 @@
-/* Textures: questions about all their layers at once. */
+/* Textures: what a map chooses, and questions about all their layers at once. */
 #include "render/texture.h"
+
+int texture_choose(const TextureMap *map, Vec3 point, TextureChoice out[2])
+{
+    Vec3 within = xform_unpoint(&map->space, point);
+    double value = pattern_value(&map->pattern, within);
+    MapSpot at = { (int)value, (int)value, 0 };
+    if (map->pattern.type->n_blocks == 0) at = pattern_spot(map->entries, sizeof *map->entries, map->n_entries, value);
+    bool is_one = at.low == at.high;
+    out[0] = (TextureChoice){ map->entries[at.high].texture, within, is_one ? 1 : at.share };
+    out[1] = (TextureChoice){ map->entries[at.low].texture, within, 1 - at.share };
+    return is_one ? 1 : 2;
+}
+
+static const TextureMap *map_transformed(Arena *a, const TextureMap *map, const Xform *x)
+{
+    TextureMap *moved = arena_copy(a, map, 1, sizeof *map);
+    moved->space = xform_then(map->space, *x);
+    return moved;
+}
 
 Texture *texture_transformed(Arena *a, const Texture *t, const Xform *x)
 {
@@ -11,6 +30,7 @@ Texture *texture_transformed(Arena *a, const Texture *t, const Xform *x)
     }
     Texture *copy = arena_copy(a, t, 1, sizeof *copy);
     copy->layers = layers;
+    if (t->map) copy->map = map_transformed(a, t->map, x);
     return copy;
 }
 
@@ -20,6 +40,8 @@ bool texture_is_opaque(const Texture *t)
 {
     for (int i = 0; i < t->n_layers; i++)
         if (!pigment_is_opaque(t->layers[i].pigment)) return false;
+    for (int i = 0; t->map && i < t->map->n_entries; i++)
+        if (!texture_is_opaque(t->map->entries[i].texture)) return false;
     return true;
 }
 
@@ -27,5 +49,7 @@ bool texture_reflects(const Texture *t)
 {
     for (int i = 0; i < t->n_layers; i++)
         if (t->layers[i].finish.has_reflection) return true;
+    for (int i = 0; t->map && i < t->map->n_entries; i++)
+        if (texture_reflects(t->map->entries[i].texture)) return true;
     return false;
 }

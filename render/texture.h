@@ -37,6 +37,12 @@ const PatternType *pattern_type(const char *name);   /* NULL: no such pattern. O
 Pattern pattern_make(const PatternType *type);       /* with POV-Ray's defaults */
 double pattern_value(const Pattern *p, Vec3 point);  /* with frequency, phase and wave applied (not for blocks) */
 
+/* Where a value lies in a map, whose n > 0 entries of `size` bytes begin with a float, their key, and ascend: `share` of the
+ * way from the entry `low` to the entry `high`. Below the first and above the last key both are that entry, as they are at
+ * an entry's own key. Two entries with the same key are a step. */
+typedef struct { int low, high; double share; } MapSpot;
+MapSpot pattern_spot(const void *entries, size_t size, int n, double value);
+
 /* ---- pigments ---- */
 
 typedef struct Pigment Pigment;
@@ -81,14 +87,26 @@ Finish finish_default(void);
 
 typedef struct { const Pigment *pigment; Finish finish; } Layer;
 
+typedef struct Texture Texture;
+typedef struct { float key; const Texture *texture; } TextureEntry;
+typedef struct {                                     /* a choice between textures, by a pattern */
+    Pattern pattern;
+    const TextureEntry *entries;                     /* blocks: n_blocks of them; else at least one, keys ascending */
+    int n_entries;
+    Xform space;                                     /* from the map's space to the outer one */
+} TextureMap;
 struct Texture {
     const Layer *layers;                             /* as written: the last is on top */
     int n_layers;
+    const TextureMap *map;                           /* NULL: it has layers; else it has none */
     bool uv_mapping;
 };
-typedef struct Texture Texture;
 
-/* A copy with x applied to every pigment in it. */
+/* What a texture with a map is at a point: one texture, or two that are blended, each lit for itself; returns how many. */
+typedef struct { const Texture *texture; Vec3 point; double share; } TextureChoice;
+int texture_choose(const TextureMap *map, Vec3 point, TextureChoice out[2]);
+
+/* A copy with x applied to every pigment in it, or to its map. */
 Texture *texture_transformed(Arena *a, const Texture *t, const Xform *x);
 bool texture_is_opaque(const Texture *t);
 bool texture_reflects(const Texture *t);

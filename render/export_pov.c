@@ -110,34 +110,37 @@ static void write_look(Sdl *out, const Object *o)
     if (o->interior) export_interior(out, o->interior);
 }
 
-static void open_shape(Exporter *e, const Shape *s);
-
-static void write_object(Exporter *e, const Object *o)
-{
-    open_shape(e, o->child);
-    export_matrix(&e->sdl, &o->placement);
-    write_look(&e->sdl, o);
-    write_flags(&e->sdl, o);
-}
-
 static void open_shape(Exporter *e, const Shape *s)
 {
     const ExportShape *listed = shape_is_object(s) ? NULL : export_find(e->list, s);
     if (listed && listed->number) {
         sdl_text(&e->sdl, "object { Shape_%d", listed->number);
     } else if (shape_is_object(s)) {
-        write_object(e, (const Object *)s);
+        sdl_text(&e->sdl, "object { ");
+        e->sdl.shape(&e->sdl, s);
     } else {
         write_geometry(e, s);
     }
 }
 
-/* An object within an object would be one block: its modifiers go into a block of their own. */
+static void write_object(Exporter *e, const Object *o)
+{
+    e->sdl.placement = &o->placement, e->sdl.is_placed = false;
+    open_shape(e, o->child);
+    if (!e->sdl.is_placed) export_matrix(&e->sdl, &o->placement);
+    write_look(&e->sdl, o);
+    write_flags(&e->sdl, o);
+}
+
+/* As a part of another: a block of its own. */
 static void write_shape(Sdl *out, const Shape *s)
 {
-    Exporter *e = (Exporter *)out;
-    open_shape(e, s);
+    const Xform *outer = out->placement;
+    out->placement = NULL;
+    if (shape_is_object(s)) write_object((Exporter *)out, (const Object *)s);
+    else open_shape((Exporter *)out, s);
     sdl_text(out, " }");
+    out->placement = outer, out->is_placed = false;
 }
 
 /* ---- the scene ---- */
@@ -159,7 +162,7 @@ static void declare_shared(Exporter *e)
 /* Textures that are not given anywhere are given here, as they would be by default. */
 static void write_scene_object(Exporter *e, Object *o)
 {
-    open_shape(e, &o->shape);
+    write_object(e, o);
     if (!o->texture && (object_looks(o) & LOOKS_UNTEXTURED)) {
         Xform none = xform_identity();
         export_texture(&e->sdl, "texture", e->scene->default_texture, &none, o->has_uv_mapping);

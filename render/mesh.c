@@ -190,10 +190,19 @@ static unsigned mesh_looks(const Shape *shape)
 
 static void mesh_release(Shape *shape) { ((Mesh *)shape)->bvh = NULL; }
 
+static bool mesh_tessellate(const Shape *shape, double chord_error, MeshSink *out)
+{
+    (void)chord_error;
+    mesh_desc_tessellate(&((const Mesh *)shape)->desc, out);
+    return true;
+}
+
+static void mesh_write(const Shape *shape, Sdl *out) { mesh_desc_write(&((const Mesh *)shape)->desc, out); }
+
 static const ShapeType mesh_type = {
     .name = "mesh", .bounds = mesh_bounds, .prepare = mesh_prepare, .hit = mesh_hit, .blocks = mesh_blocks,
     .all_hits = mesh_all_hits, .inside = mesh_inside, .attributes = mesh_attributes, .looks = mesh_looks,
-    .release = mesh_release,
+    .tessellate = mesh_tessellate, .write = mesh_write, .release = mesh_release,
 };
 
 /* ---- building ---- */

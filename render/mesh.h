@@ -25,4 +25,8 @@ typedef struct {
 
 Shape *mesh_new(Arena *a, const MeshDesc *desc);
 
+/* For export, in mesh_export.c. */
+void mesh_desc_write(const MeshDesc *d, Sdl *out);               /* "mesh2 { ...", left open */
+void mesh_desc_tessellate(const MeshDesc *d, MeshSink *out);     /* each face with corners of its own */
+
 #endif

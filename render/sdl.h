@@ -3,6 +3,7 @@
 #define TRIMRAY_SDL_H
 
 #include "render/shape.h"
+#include "render/xform.h"
 
 #include <stdio.h>
 
@@ -13,6 +14,8 @@ typedef void (*SdlShape)(Sdl *out, const Shape *s);
 struct Sdl {
     FILE *file;
     SdlShape shape;
+    const Xform *placement;  /* of the object whose block is being written; NULL: none */
+    bool is_placed;          /* set by a shape that has written itself with the placement applied: else it is written after it */
 };
 
 void sdl_text(Sdl *out, const char *format, ...) __attribute__((format(printf, 2, 3)));

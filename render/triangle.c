@@ -1,4 +1,6 @@
 /* triangle and smooth_triangle. The intersection and its error are those of watertight.h. */
+#include "render/mesh_sink.h"
+#include "render/sdl.h"
 #include "render/shapes.h"
 #include "render/watertight.h"
 
@@ -35,11 +37,51 @@ static void triangle_attributes(const Shape *shape, const Ray *r, const Hit *h, 
     if (vec_max_abs(n) > 0) out->shading_normal = vec_normalize(n);
 }
 
+/* Seen from the side of its normal, p[0], p[2], p[1] go counterclockwise. */
+static bool triangle_tessellate(const Shape *shape, double chord_error, MeshSink *out)
+{
+    const Triangle *s = (const Triangle *)shape;
+    uint32_t v[3];
+    (void)chord_error;
+    for (int i = 0; i < 3; i++) {
+        Vec3 n = s->is_smooth ? vec_normalize(s->n[i]) : s->normal;
+        v[i] = mesh_sink_vertex(out, (MeshVertex){ s->p[i], n, { s->p[i].x, s->p[i].y } });
+    }
+    mesh_sink_triangle(out, v[0], v[2], v[1]);
+    return true;
+}
+
+/* POV-Ray makes normals unit as it reads them. Those that were made unit after a scaling are so where that has been applied:
+ * there the triangle is written, already placed. */
+static bool is_weighted(const Triangle *s)
+{
+    static const double ROUNDING = 1e-12;   /* of lengths that are 1 */
+    for (int i = 0; s->is_smooth && i < 3; i++)
+        if (fabs(vec_length(s->n[i]) - 1) > ROUNDING) return true;
+    return false;
+}
+
+static void triangle_write(const Shape *shape, Sdl *out)
+{
+    const Triangle *s = (const Triangle *)shape;
+    Xform none = xform_identity();
+    out->is_placed = out->placement && is_weighted(s);
+    const Xform *x = out->is_placed ? out->placement : &none;
+    sdl_text(out, "%s {", shape->type->name);
+    for (int i = 0; i < 3; i++) {
+        if (i > 0) sdl_text(out, ",");
+        sdl_vec(out, xform_point(x, s->p[i]));
+        if (s->is_smooth) sdl_text(out, ","), sdl_vec(out, xform_normal(x, s->n[i]));
+    }
+}
+
 static const ShapeType triangle_type = {
     .name = "triangle", .bounds = triangle_bounds, .hit = triangle_hit, .attributes = triangle_attributes,
+    .tessellate = triangle_tessellate, .write = triangle_write,
 };
 static const ShapeType smooth_triangle_type = {
     .name = "smooth_triangle", .bounds = triangle_bounds, .hit = triangle_hit, .attributes = triangle_attributes,
+    .tessellate = triangle_tessellate, .write = triangle_write,
 };
 
 static Triangle *make(Arena *a, const ShapeType *type, const Vec3 p[3])

@@ -1,9 +1,9 @@
 /* Bézier polygons: closing, cutting, hull. See bezier.h.
  *
- * Closing is written with blossoms ([PT97] section 5.2 has the same by knot insertion): let f be the polar form of the span's
- * polynomial, a and b the ends of the span, t_1 = b, t_2, ... the knots after a. The given points are
- * f(tau_{j+1}, ..., tau_{j+k-1}). De Boor's triangle at a has f(a^{k-1-i}, t_1 .. t_i) along its last side; from these a second
- * triangle at b yields f(a^{k-1-i}, b^i): the Bézier points. */
+ * Closing is written with blossoms ([PT97] section 5.2 has the same by knot insertion): let f be the polar form of the
+ * span's polynomial, a and b the ends of the span, t_1 = b, t_2, ... the knots after a. The given points are
+ * f(tau_{j+1}, ..., tau_{j+k-1}). De Boor's triangle at a has f(a^{k-1-i}, t_1 .. t_i) along its last side; from these a
+ * second triangle at b yields f(a^{k-1-i}, b^i): the Bézier points. */
 #include "nurbs/bezier.h"
 
 #include <string.h>
@@ -103,9 +103,9 @@ static Largest largest_derivative(int k_u, int k_v, const Vec4 *q, int a, int b)
     return (Largest){ factor * sqrt(most.point), factor * most.weight };
 }
 
-/* About a point c of the hull the patch is S - c = Q / w, Q = sum B w_i (P_i - c), |S - c| <= radius. The quotient rule gives
- * w S_u = Q_u - w_u (S - c), w S_uu = Q_uu - 2 w_u S_u - w_uu (S - c), w S_uv = Q_uv - w_u S_v - w_v S_u - w_uv (S - c).
- * With equal weights all but the first terms are 0. */
+/* About a point c of the hull the patch is S - c = Q / w, Q = sum B w_i (P_i - c), |S - c| <= radius. The quotient rule
+ * gives w S_u = Q_u - w_u (S - c), w S_uu = Q_uu - 2 w_u S_u - w_uu (S - c), w S_uv = Q_uv - w_u S_v - w_v S_u - w_uv (S -
+ * c). With equal weights all but the first terms are 0. */
 BezierSeconds bezier_seconds(int k_u, int k_v, const Vec4 patch[])
 {
     Vec4 q[NURBS_MAX_ORDER * NURBS_MAX_ORDER];

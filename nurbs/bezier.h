@@ -12,8 +12,8 @@
  * unclamped knots, whose factors are in [0, 1] as well: at most 8k u max|p|, u = 2^-53. */
 void bezier_from_span(int k, const double tau[], int mu, int width, Vec4 p[]);
 
-/* Cuts at s in [0, 1] by de Casteljau's algorithm ([PT97] A1.5), which is the insertion of k-1 knots: left gets the part before
- * s, p becomes the part after it; they must not overlap. The last block of left equals the first of p, bit for bit.
+/* Cuts at s in [0, 1] by de Casteljau's algorithm ([PT97] A1.5), which is the insertion of k-1 knots: left gets the part
+ * before s, p becomes the part after it; they must not overlap. The last block of left equals the first of p, bit for bit.
  * Error per coordinate: at most 3(k-1) u max|p|. */
 void bezier_cut(int k, int width, double s, Vec4 p[], Vec4 left[]);
 

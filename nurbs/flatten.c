@@ -1,17 +1,17 @@
 /* Flattening ([MCFS00] section 2.1): how finely to cut, before anything is cut.
  *
- * Curvature (the paper's choice): the number of knots to add to a span of a curve is n = C max|A| dt^{3/2} / avg|V|^{1/2}, with
- * V and A the control points of the first and second derivative; the largest n of all rows (for u; columns for v) counts,
- * rounded to the nearest integer, and the knots are spaced evenly. In other words n = C turn sqrt(length).
+ * Curvature (the paper's choice): the number of knots to add to a span of a curve is n = C max|A| dt^{3/2} / avg|V|^{1/2},
+ * with V and A the control points of the first and second derivative; the largest n of all rows (for u; columns for v)
+ * counts, rounded to the nearest integer, and the knots are spaced evenly. In other words n = C turn sqrt(length).
  *
- * Without a C of the user's, sqrt(length) is left out: n = TURN_CUTS turn. Newton's iteration knows no scale. What it needs of a
- * leaf is that the surface turns through a small angle only, and how long the leaf is matters to no one, as nothing is drawn
- * in straight lines; so the choice does not depend on the scale of the scene, and a small fillet on a large part is cut as
- * finely as a large one. And as curves that are straight each may still twist against each other (a bilinear patch), the
- * angle through which the other direction's tangent turns along the span is an n as well.
+ * Without a C of the user's, sqrt(length) is left out: n = TURN_CUTS turn. Newton's iteration knows no scale. What it needs
+ * of a leaf is that the surface turns through a small angle only, and how long the leaf is matters to no one, as nothing is
+ * drawn in straight lines; so the choice does not depend on the scale of the scene, and a small fillet on a large part is
+ * cut as finely as a large one. And as curves that are straight each may still twist against each other (a bilinear patch),
+ * the angle through which the other direction's tangent turns along the span is an n as well.
  *
- * Adaptive (after [Pet94]): a span of all rows is halved until the control polygon of each row is within a chord bound of its
- * chord; without a bound of the user's, within CHORD_SHARE of the polygon's own length, for the same reason. */
+ * Adaptive (after [Pet94]): a span of all rows is halved until the control polygon of each row is within a chord bound of
+ * its chord; without a bound of the user's, within CHORD_SHARE of the polygon's own length, for the same reason. */
 #include "nurbs/flatten.h"
 
 #include "nurbs/bezier.h"
@@ -61,8 +61,8 @@ FlattenCurve flatten_curve(int k, const double tau[], int mu, const Vec3 p[])
     return (FlattenCurve){ acceleration * dt / speed, speed * dt };
 }
 
-/* The angle between two edges across the quad, from a to c and from b to d, seen along it: each is turned by half of the angle
- * out of the plane of the middle lines. */
+/* The angle between two edges across the quad, from a to c and from b to d, seen along it: each is turned by half of the
+ * angle out of the plane of the middle lines. */
 static double quad_twist(Vec3 a, Vec3 b, Vec3 c, Vec3 d)
 {
     Vec3 along = vec_add(vec_sub(b, a), vec_sub(d, c)), across = vec_add(vec_sub(c, a), vec_sub(d, b));

@@ -6,8 +6,8 @@
 #include "render/hash.h"
 
 /* How often a leaf that may fold is quartered. Measured on 1024 x 1024 pictures: without it the teapot has specks along its
- * silhouettes; with 2, three of its pixels differ from those of `method certain` (1 of the goblet's, none of the spoon's, 9 of
- * allblade's); with 3, the same three. */
+ * silhouettes; with 2, three of its pixels differ from those of `method certain` (1 of the goblet's, none of the spoon's, 9
+ * of allblade's); with 3, the same three. */
 #define FOLD_DEPTH 2
 
 typedef struct {
@@ -39,8 +39,8 @@ static bool is_kept(const Surface *s, const Leaf *leaf, const NewtonRoot *root, 
     return trim_keeps(s->trims, root->u, root->v);
 }
 
-/* A root that cannot be told from t_min is not beyond it: where a ray leaves this very surface, the point that it left by its
- * own error bound is found again with the error of this root. */
+/* A root that cannot be told from t_min is not beyond it: where a ray leaves this very surface, the point that it left by
+ * its own error bound is found again with the error of this root. */
 static bool note_root(Search *search, uint32_t i, const Leaf *leaf, const NewtonRoot *root, Trace *t)
 {
     if (!(root->t - root->t_error > search->t_min && root->t < *search->t_max)) return false;

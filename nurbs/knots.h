@@ -9,8 +9,8 @@
  * index, other and value are set; the rest of *error is left alone. */
 bool knots_are_valid(int k, int n, const double tau[], NurbsError *error);
 
-/* The span of t: mu with tau[mu] <= t < tau[mu+1], k-1 <= mu < n. The last span of the domain is closed; t outside the domain
- * is taken to its nearer end. */
+/* The span of t: mu with tau[mu] <= t < tau[mu+1], k-1 <= mu < n. The last span of the domain is closed; t outside the
+ * domain is taken to its nearer end. */
 int knots_span(int k, int n, const double tau[], double t);
 
 /* The same from the other side: tau[mu] < t <= tau[mu+1], the first span of the domain closed. */

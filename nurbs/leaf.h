@@ -5,8 +5,8 @@
 #include "nurbs/refine.h"
 #include "render/bvh.h"
 
-/* A smooth stretch of one direction: it ends where the surface may have a corner or a gap (knots_breaks), so that within it one
- * derivative leads to the next. */
+/* A smooth stretch of one direction: it ends where the surface may have a corner or a gap (knots_breaks), so that within it
+ * one derivative leads to the next. */
 typedef struct { double lo, hi; } Piece;
 
 typedef struct {

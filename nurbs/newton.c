@@ -7,9 +7,9 @@
  *      below GOOD_ENOUGH) is made without evaluating again: see is_last_step. The error of t is derived from what is left.
  *   2. miss: |F| has grown since the last step. Not so when both are of the size of the rounding.
  *   3. miss: outside the domain. A step that leaves is shortened to the border, first; it is outside if the iteration, from
- *      a point on a border, wants to leave across that border again. A root on the border itself is so found from inside, with
- *      whatever sign its rounding has: the surfaces on both sides of a seam cannot both miss it. The domain is that of the smooth
- *      stretch round the leaf: beyond a corner J says nothing.
+ *      a point on a border, wants to leave across that border again. A root on the border itself is so found from inside,
+ *      with whatever sign its rounding has: the surfaces on both sides of a seam cannot both miss it. The domain is that of
+ *      the smooth stretch round the leaf: beyond a corner J says nothing.
  *   4. miss: more than MAXITER iterations. The paper takes "around 7"; we allow 10, for a root at a border costs a
  *      step or two more, and near a silhouette a few halvings come before the quadratic end.
  *
@@ -23,13 +23,13 @@
 
 #include <float.h>
 
-/* |det J| <= SINGULAR |S_u| |S_v|: the sine of the ray's angle to the surface, times that between S_u and S_v. The rounding of
- * det J is some 2^-50 |S_u| |S_v|; a step computed with this J has 10 bits at least. */
+/* |det J| <= SINGULAR |S_u| |S_v|: the sine of the ray's angle to the surface, times that between S_u and S_v. The rounding
+ * of det J is some 2^-50 |S_u| |S_v|; a step computed with this J has 10 bits at least. */
 #define SINGULAR 0x1p-40
 #define JITTER 0.1           /* the paper's */
 
-/* A step that leaves less than this share of the leaf's size is the last, too, if that is more than the rounding: it saves the
- * evaluation that would take a hit from 11 digits of a leaf to the last bit. t_error knows it. */
+/* A step that leaves less than this share of the leaf's size is the last, too, if that is more than the rounding: it saves
+ * the evaluation that would take a hit from 11 digits of a leaf to the last bit. t_error knows it. */
 #define GOOD_ENOUGH 0x1p-36
 
 NewtonRay newton_ray(const Ray *r)
@@ -56,7 +56,8 @@ typedef struct {
     double epsilon;
 } Iteration;
 
-/* A span of t with t at its end at worst: the same as before if it will do (no search), from the left at the end of a stretch. */
+/* A span of t with t at its end at worst: the same as before if it will do (no search), from the left at the end of a
+ * stretch. */
 static int span_at(int mu, double t, int k, int n, const double *tau, const Piece *piece)
 {
     if (tau[mu] <= t && t <= tau[mu + 1]) return mu;
@@ -146,10 +147,11 @@ static void jitter(Iteration *i, uint64_t seed)
     i->u += JITTER * (u_r - i->u), i->v += JITTER * (v_r - i->v);
 }
 
-/* The depth of the root: the projection of the point on the ray, moved along by the step that was not evaluated. To first order
- * an error e of F moves the root by J^-1 e and so its depth by slant * e, slant = |d . (S_u, S_v) J^-1|, the cotangent of the
- * ray's angle to the surface: that times the rounding of F and what the step leaves is the error, and the rounding of the
- * projection. Where J is singular the ray touches the surface: then two circles' sagitta tells how far: sqrt(2 epsilon size). */
+/* The depth of the root: the projection of the point on the ray, moved along by the step that was not evaluated. To first
+ * order an error e of F moves the root by J^-1 e and so its depth by slant * e, slant = |d . (S_u, S_v) J^-1|, the cotangent
+ * of the ray's angle to the surface: that times the rounding of F and what the step leaves is the error, and the rounding of
+ * the projection. Where J is singular the ray touches the surface: then two circles' sagitta tells how far: sqrt(2 epsilon
+ * size). */
 static void set_root(const Iteration *i, bool with_step, NewtonRoot *out)
 {
     Vec3 d = i->ray->d;
@@ -181,7 +183,8 @@ NewtonView newton_view(const Surface *s, const Leaf *leaf, const NewtonRay *ray)
     Vec2 F_v = vec2(vec_dot(ray->N1, half_v), vec_dot(ray->N2, half_v));
     double off = leaf->bulge + f_rounding(s, from_origin), area = fabs(vec2_cross(F_u, F_v));
     double along_u = sqrt(vec2_dot(F_u, F_u)), along_v = sqrt(vec2_dot(F_v, F_v));
-    if (fabs(vec2_cross(F, F_u)) > area + off * along_u || fabs(vec2_cross(F, F_v)) > area + off * along_v) return NEWTON_OFF;
+    if (fabs(vec2_cross(F, F_u)) > area + off * along_u) return NEWTON_OFF;
+    if (fabs(vec2_cross(F, F_v)) > area + off * along_v) return NEWTON_OFF;
     double change = leaf->turn_u * along_v + leaf->turn_v * along_u + leaf->turn_u * leaf->turn_v;
     return area > change ? NEWTON_PLAIN : NEWTON_FOLDED;
 }

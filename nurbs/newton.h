@@ -40,8 +40,8 @@ NewtonView newton_view(const Surface *s, const Leaf *leaf, const NewtonRay *ray)
 /* One of the leaf's four quarters, 0 to 3, as a leaf of its own. */
 Leaf newton_quarter(const Surface *s, const Leaf *leaf, int quarter);
 
-/* Looks for a root from the middle of the leaf. The root may lie outside the leaf, but lies on the leaf's smooth stretch of the
- * domain. `seed` decides the jitter. Counts newton_iterations (evaluations; not that of the
+/* Looks for a root from the middle of the leaf. The root may lie outside the leaf, but lies on the leaf's smooth stretch of
+ * the domain. `seed` decides the jitter. Counts newton_iterations (evaluations; not that of the
  * guess, which comes with the leaf) and newton_jitters. */
 NewtonOutcome newton_solve(const Surface *s, const Leaf *leaf, const NewtonRay *ray, int max_iterations, uint64_t seed,
                            Counters *counters, NewtonRoot *out);

@@ -1,8 +1,8 @@
 /* Preparation: cuts -> Bézier patches of the spans -> cells -> boxes -> tree. See prepare.h.
  *
  * The paper inserts the new knots, closes all knots, and bounds each cell of the refined mesh. The refined mesh of a span
- * depends on the k_u x k_v control points of the span alone, so it is made for one span at a time: close the span (its Bézier
- * patch), then cut that at the new knots, in v and then in u. */
+ * depends on the k_u x k_v control points of the span alone, so it is made for one span at a time: close the span (its
+ * Bézier patch), then cut that at the new knots, in v and then in u. */
 #include "nurbs/prepare.h"
 
 #include "nurbs/bezier.h"
@@ -53,7 +53,8 @@ static double box_slack(const Surface *s, const Cuts *u, const Cuts *v)
     double per_cut = s->rounding / 5;    /* more than (3 k_u + 3 k_v) u max|p|: see surface.c */
     double knots_u = fmax(fabs(s->u0), fabs(s->u1)) / (s->u1 - s->u0);
     double knots_v = fmax(fabs(s->v0), fabs(s->v1)) / (s->v1 - s->v0);
-    return per_cut * (u->n + v->n + 8) + 4 * unit * s->size * (s->k_u * (knots_u + 1) * u->n + s->k_v * (knots_v + 1) * v->n);
+    double of_interval = s->k_u * (knots_u + 1) * u->n + s->k_v * (knots_v + 1) * v->n;
+    return per_cut * (u->n + v->n + 8) + 4 * unit * s->size * of_interval;
 }
 
 /* In units of half a leaf, as far as it is from the middle: second derivatives are a quarter of those over the leaf. */

@@ -10,9 +10,9 @@
  * along; the paper's rule is to make nu = max(k-1-n, 1) steps, so m = k-1-nu. All denominators contain the span mu: they are
  * positive, and the paper's case "d = 0: arbitrary" does not arise.
  *
- * For the derivative the paper takes the next point of the refined polygon, c' = (k-1) (D_{r} - D) / (tau_{mu+1} - t): 0/0 at
- * the end of the domain, and cancellation just before it. The same number stands in the triangle one column earlier: column
- * k-2 holds the refinement of the derivative's polygon V_j = (k-1) (P_j - P_{j-1}) / (tau_{j+k-1} - tau_j), so that
+ * For the derivative the paper takes the next point of the refined polygon, c' = (k-1) (D_{r} - D) / (tau_{mu+1} - t): 0/0
+ * at the end of the domain, and cancellation just before it. The same number stands in the triangle one column earlier:
+ * column k-2 holds the refinement of the derivative's polygon V_j = (k-1) (P_j - P_{j-1}) / (tau_{j+k-1} - tau_j), so that
  *
  *   c'(t) = sum_j alpha'_{j,k-2} V_j
  *

@@ -70,10 +70,10 @@ static Vec4 *homogeneous_points(Arena *a, const Vec4 *p, int n, bool is_polynomi
 /* Point i has a say on (tau_i, tau_{i+k}): does that meet the domain? */
 static bool matters(int k, int n, const double *tau, int i) { return tau[i] < tau[n] && tau[i + k] > tau[k - 1]; }
 
-/* The box, its diagonal and the rounding bound. A point is a sum of k_u k_v terms whose factors are convex combinations, each
- * factor at most 4 (k-1) roundings deep (refine.c: 4 a column), plus the two sums and the division: relative to the largest
- * coordinate that is below (5 k_u + 5 k_v + 4) u with u = 2^-53, to first order; with weights, for they are positive, twice it:
- * once for the numerator, once for the denominator. */
+/* The box, its diagonal and the rounding bound. A point is a sum of k_u k_v terms whose factors are convex combinations,
+ * each factor at most 4 (k-1) roundings deep (refine.c: 4 a column), plus the two sums and the division: relative to the
+ * largest coordinate that is below (5 k_u + 5 k_v + 4) u with u = 2^-53, to first order; with weights, for they are
+ * positive, twice it: once for the numerator, once for the denominator. */
 static void measure(Surface *s, const Vec4 *euclidean)
 {
     Box box = box_empty();

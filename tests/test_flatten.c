@@ -4,12 +4,12 @@
 #include "nurbs/knots.h"
 #include "tests/models.h"
 
-/* By hand, [MCFS00] section 2.1: a cubic (k = 4) over the uniform knots 0 .. 7, control points (0,0) (1,0) (1,1) (0,1). The one
- * span is [3, 4]: i = 3, dt = 1.
+/* By hand, [MCFS00] section 2.1: a cubic (k = 4) over the uniform knots 0 .. 7, control points (0,0) (1,0) (1,1) (0,1). The
+ * one span is [3, 4]: i = 3, dt = 1.
  *   V_j = 3 (P_j - P_{j-1}) / (t_{j+3} - t_j), j = 1..3; every difference of knots is 3:  V = (1,0) (0,1) (-1,0)
  *   avg|V| = (1 + 1 + 1) / 3 = 1
- *   A_j = 2 (V_j - V_{j-1}) / (t_{j+2} - t_j), j = 2..3; every difference of knots is 2:  A = (-1,1) (-1,-1), max|A| = sqrt 2
- *   n = C sqrt(2) 1^{3/2} / 1^{1/2} = 1.414 C; scaled by 4 in space: V, A times 4: n = C 4 sqrt(2) / 2 = 2.828 C */
+ *   A_j = 2 (V_j - V_{j-1}) / (t_{j+2} - t_j), j = 2..3; every difference of knots is 2:  A = (-1,1) (-1,-1), max|A| = sqrt
+ *   2 n = C sqrt(2) 1^{3/2} / 1^{1/2} = 1.414 C; scaled by 4 in space: V, A times 4: n = C 4 sqrt(2) / 2 = 2.828 C */
 static const double uniform[8] = { 0, 1, 2, 3, 4, 5, 6, 7 };
 static const Vec3 arch[4] = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } };
 

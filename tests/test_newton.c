@@ -125,7 +125,8 @@ static void no_leaf_with_a_root_is_out_of_reach(void **state)
     for (unsigned seed = 0; seed < 100; seed++) {
         TestRandom r = test_random(seed);
         Model m = { .k_u = test_int(&r, 2, 5), .k_v = test_int(&r, 2, 5) };
-        m.n_u = model_random_knots(&r, m.k_u, 2, m.k_u, m.knots_u), m.n_v = model_random_knots(&r, m.k_v, 2, m.k_v, m.knots_v);
+        m.n_u = model_random_knots(&r, m.k_u, 2, m.k_u, m.knots_u);
+        m.n_v = model_random_knots(&r, m.k_v, 2, m.k_v, m.knots_v);
         model_random_points(&r, &m, seed % 2 ? 1 : 20);
         Fixture f = fixture(&m);
         for (int i = 0; i < 100; i++) {
@@ -248,8 +249,8 @@ static void a_singular_first_guess_is_left_by_jitter(void **state)
     done(&f);
 }
 
-/* Rays through the border that two leaves share, and through the seam u = 0 = 4 of the cylinder: both sides find the root, so
- * that rounding cannot make both miss it. */
+/* Rays through the border that two leaves share, and through the seam u = 0 = 4 of the cylinder: both sides find the root,
+ * so that rounding cannot make both miss it. */
 static void a_root_on_a_border_is_found_from_both_sides(void **state)
 {
     (void)state;

@@ -68,8 +68,8 @@ static const Case cases[3] = { { "sphere", model_sphere, sphere_truth }, { "toru
 
 typedef struct { int n_rays, n_true, n_missed, n_far, n_false; double worst; } Tally;
 
-/* One ray: a true hit, a miss, a hit of a later root, or a false one. Rays whose first two roots are nearly one are too near to
- * a silhouette for the closed form to say how far the root is, but not for whether there is one. */
+/* One ray: a true hit, a miss, a hit of a later root, or a false one. Rays whose first two roots are nearly one are too near
+ * to a silhouette for the closed form to say how far the root is, but not for whether there is one. */
 static void tally_ray(const Case *c, Fixture *f, Ray ray, Tally *n, int number)
 {
     double t[4];
@@ -154,8 +154,8 @@ static void pictures_have_no_holes(void **state)
     }
 }
 
-/* The worst case, C so small that nothing is cut: the leaves are whole octants, and yet next to nothing is missed, for a leaf
- * that may fold is quartered for the ray. Before that was so, 3.4 % were. */
+/* The worst case, C so small that nothing is cut: the leaves are whole octants, and yet next to nothing is missed, for a
+ * leaf that may fold is quartered for the ray. Before that was so, 3.4 % were. */
 static void flatness_is_no_matter_of_missing(void **state)
 {
     (void)state;
@@ -203,8 +203,8 @@ static void scaling_changes_no_hit(void **state)
     for (int k = 0; k < 3; k++) done(&f[k]);
 }
 
-/* A root near a silhouette may be found only from a neighbouring leaf, whose box may lie behind it: a ray that ends just after
- * the root does not go there: nothing else in a test depends on where the ray ends. Measured: 5 of 20000. */
+/* A root near a silhouette may be found only from a neighbouring leaf, whose box may lie behind it: a ray that ends just
+ * after the root does not go there: nothing else in a test depends on where the ray ends. Measured: 5 of 20000. */
 static void hit_and_blocks_agree(void **state)
 {
     (void)state;

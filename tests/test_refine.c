@@ -34,7 +34,8 @@ static void check_rows_of(int k, int n, const double *tau, TestRandom *r, unsign
 {
     for (int i = k - 1; i <= n; i++) {
         double knot = tau[i], lo = tau[k - 1], hi = tau[n];
-        double t[4] = { knot, fmin(nextafter(knot, INFINITY), hi), fmax(nextafter(knot, -INFINITY), lo), test_range(r, lo, hi) };
+        double above = fmin(nextafter(knot, INFINITY), hi), below = fmax(nextafter(knot, -INFINITY), lo);
+        double t[4] = { knot, above, below, test_range(r, lo, hi) };
         for (int j = 0; j < 4; j++) check_row(k, tau, knots_span(k, n, tau, t[j]), t[j], seed);
         check_row(k, tau, knots_span_left(k, n, tau, knot), knot, seed);
     }
@@ -104,8 +105,8 @@ static void check_surface(const Surface *s, double u, double v, double weight_ra
     refine_evaluate(s, knots_span(s->k_u, s->n_u, s->tau_u, u), u, knots_span(s->k_v, s->n_v, s->tau_v, v), v, &p);
     double steep_u = steepness(s->k_u, s->n_u, s->tau_u, u), steep_v = steepness(s->k_v, s->n_v, s->tau_v, v);
     CHECK_WITHIN(vec_length(vec_sub(p.point, point)), TOLERANCE, "seed %u S(%.17g, %.17g)", seed, u, v);
-    CHECK_WITHIN(vec_length(vec_sub(p.s_u, s_u)), TOLERANCE * weight_ratio * steep_u, "seed %u S_u(%.17g, %.17g)", seed, u, v);
-    CHECK_WITHIN(vec_length(vec_sub(p.s_v, s_v)), TOLERANCE * weight_ratio * steep_v, "seed %u S_v(%.17g, %.17g)", seed, u, v);
+    CHECK_WITHIN(vec_length(vec_sub(p.s_u, s_u)), TOLERANCE * weight_ratio * steep_u, "seed %u S_u(%.17g, %g)", seed, u, v);
+    CHECK_WITHIN(vec_length(vec_sub(p.s_v, s_v)), TOLERANCE * weight_ratio * steep_v, "seed %u S_v(%g, %.17g)", seed, u, v);
 }
 
 static void check_random_surface(unsigned seed, double weight_ratio)
@@ -119,7 +120,8 @@ static void check_random_surface(unsigned seed, double weight_ratio)
     Surface *s = surface_of(a, &m);
     CHECK(s->is_polynomial == (weight_ratio == 1), "seed %u", seed);
     for (int i = 0; i < 30; i++)
-        check_surface(s, parameter(&r, s->k_u, s->n_u, s->tau_u), parameter(&r, s->k_v, s->n_v, s->tau_v), weight_ratio, seed);
+        check_surface(s, parameter(&r, s->k_u, s->n_u, s->tau_u), parameter(&r, s->k_v, s->n_v, s->tau_v), weight_ratio,
+                      seed);
     arena_free(a);
 }
 

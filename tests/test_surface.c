@@ -132,7 +132,7 @@ static void points_that_do_not_matter_do_not_count(void **state)
     Arena *a = arena_new();
     Model m = { .k_u = 2, .k_v = 2, .n_u = 4, .n_v = 2, .knots_u = { 0, 1, 1, 2, 3, 4 }, .knots_v = { 0, 0, 1, 1 } };
     for (int i = 0; i < 8; i++) m.points[i] = vec4(i % 4 == 0 ? 100 : i % 4, i / 4, 0, 1);
-    Surface *s = surface_of(a, &m);                      /* the domain is [1, 3]: N_0 ends at 1, where span [1, 1] is empty */
+    Surface *s = surface_of(a, &m);                /* the domain is [1, 3]: N_0 ends at 1, where span [1, 1] is empty */
     CHECK(s->box.hi[0] < 4 && s->box.lo[0] < 1.1f, "box [%g, %g]", s->box.lo[0], s->box.hi[0]);
     arena_free(a);
 }

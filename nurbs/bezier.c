@@ -62,12 +62,6 @@ void bezier_cut(int k, int width, double s, Vec4 p[], Vec4 left[])
     memcpy(p, left + (k - 1) * width, (size_t)width * sizeof *p);   /* equal but for roundings: made equal */
 }
 
-void bezier_restrict(int k, int width, double s0, double s1, Vec4 p[])
-{
-    keep_before(k, width, s1, p);
-    keep_after(k, width, s0 / s1, p);
-}
-
 Vec4 bezier_point(int k, const Vec4 p[], double s)
 {
     Vec4 q[NURBS_MAX_ORDER];

@@ -17,9 +17,6 @@ void bezier_from_span(int k, const double tau[], int mu, int width, Vec4 p[]);
  * Error per coordinate: at most 3(k-1) u max|p|. */
 void bezier_cut(int k, int width, double s, Vec4 p[], Vec4 left[]);
 
-/* The part over [s0, s1], 0 <= s0 < s1 <= 1, in place. Error: two cuts. */
-void bezier_restrict(int k, int width, double s0, double s1, Vec4 p[]);
-
 /* The point at s of a single curve (width 1). */
 Vec4 bezier_point(int k, const Vec4 p[], double s);
 

@@ -2,7 +2,7 @@
 sphere { 0, 1 }
 sphere { 0, 1 texture { Rough } }
 sphere { 0, 1 pigment { granite } }
-sphere { 0, 1 texture { gradient x texture_map { [0 pigment { rgb 1 }] } } }
+sphere { 0, 1 texture { material_map { png "picture.png" texture { } } } }
 sphere { 0, 1 pigment { color_map { } } }
 sphere { 0, 1 pigment { gradient x color_map { [0 rgb 1 [1 rgb 0] } } }
 sphere { 0, 1 pigment { phong 1 } }

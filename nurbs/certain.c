@@ -5,6 +5,7 @@
 #include "nurbs/knots.h"
 #include "nurbs/prepare.h"
 
+#include <float.h>
 #include <stdlib.h>
 
 /* A patch is halved until its derivatives vary by less than this share of themselves: then the certificate holds for all rays
@@ -18,7 +19,8 @@
 /* The tree of boxes is the tree of halvings itself, below a halving of the grid of spans: neighbours in the parameters are
  * neighbours in space, and nothing has to be sorted. */
 typedef struct {
-    const Surface *s;
+    const Surface *s;                /* its points about the tree's base */
+    double rounding;                 /* of the patches' points */
     Arena *own, *lists;
     Patch *patches;
     bool *needs_trim_test;
@@ -49,9 +51,9 @@ static void keep_patch(Preparation *k, uint32_t at, const Vec4 *points, TrimRect
 {
     const Surface *s = k->s;
     Patch p;
-    patch_make(k->own, s->k_u, s->k_v, points, r.u0, r.u1, r.v0, r.v1, &p);
+    patch_make(k->own, s->k_u, s->k_v, points, k->rounding, r, &p);
     k->n_untested += s->trims && !is_mixed;
-    k->nodes[at] = (BvhNode){ box_expand(bezier_hull(s->k_u * s->k_v, points), s->rounding), (uint32_t)k->n_patches, 1 };
+    k->nodes[at] = (BvhNode){ box_expand(bezier_hull(s->k_u * s->k_v, points), 2 * k->rounding), (uint32_t)k->n_patches, 1 };
     ARENA_PUSH(k->lists, k->patches, k->n_patches, k->patches_capacity) = p;
     ARENA_PUSH(k->lists, k->needs_trim_test, k->n_flags, k->flags_capacity) = is_mixed;
 }
@@ -115,15 +117,40 @@ static int *list_spans(Arena *a, int k, int n, const double *tau, int *n_spans)
     return list;
 }
 
-void certain_prepare(Arena *a, const Surface *s, PatchTree *out)
+/* The control points about their middle: one rounding relative to the surface's own size, fma(-w, base, wx). */
+static Vec4 *points_about(Arena *a, const Surface *s, Vec3 base)
 {
-    Preparation k = { .s = s, .own = a, .lists = arena_new() };
+    size_t n = (size_t)s->n_u * (size_t)s->n_v;
+    Vec4 *p = arena_copy(a, s->p, n, sizeof *p);
+    for (size_t i = 0; i < n; i++) {
+        p[i].x = fma(-p[i].w, base.x, p[i].x);
+        p[i].y = fma(-p[i].w, base.y, p[i].y);
+        p[i].z = fma(-p[i].w, base.z, p[i].z);
+    }
+    return p;
+}
+
+/* Cutting in half is exact but for one rounding of u/2 a combination, k-1 in a row; closing a span has some k. Errors of the
+ * parents are averaged, not added up: what two neighbours' borders differ by stays within k_u + k_v + 8 units u of the size. */
+static double rounding_of_patches(const Surface *s)
+{
+    return 0.5 * DBL_EPSILON * (s->k_u + s->k_v + 8) * s->size;
+}
+
+void certain_prepare(Arena *a, const Surface *surface, PatchTree *out)
+{
+    Preparation k = { .own = a, .lists = arena_new(), .rounding = rounding_of_patches(surface) };
+    Vec3 base = box_centre(surface->box);
+    Surface about_base = *surface, *s = &about_base;
+    about_base.p = points_about(k.lists, surface, base);
+    k.s = s;
     SpanRange all = { 0 };
     k.spans_u = list_spans(k.lists, s->k_u, s->n_u, s->tau_u, &all.u1);
     k.spans_v = list_spans(k.lists, s->k_v, s->n_v, s->tau_v, &all.v1);
     uint32_t root = new_pair(&k);
     bool has_any = grow_spans(&k, root, all);
-    *out = (PatchTree){ .patches = arena_copy(a, k.patches, k.n_patches, sizeof *k.patches),
+    *out = (PatchTree){ .base = base,
+                        .patches = arena_copy(a, k.patches, k.n_patches, sizeof *k.patches),
                         .needs_trim_test = arena_copy(a, k.needs_trim_test, k.n_flags, sizeof *k.needs_trim_test),
                         .n_patches = (uint32_t)k.n_patches,
                         .bvh = bvh_from_tree(a, k.nodes, has_any ? (uint32_t)k.n_nodes : 0),
@@ -210,10 +237,11 @@ static double use_frame(const Ray *r, Trace *t)
 static bool search_patches(Search *k, const Ray *r, double t_max, Trace *t)
 {
     k->length = use_frame(r, t);
-    k->ray = (PatchRay){ .origin = r->origin, .d = t->frame.d, .n1 = t->frame.n1, .n2 = t->frame.n2,
+    Ray about_base = { vec_sub(r->origin, k->tree->base), r->dir, r->t_min };
+    k->ray = (PatchRay){ .origin = about_base.origin, .d = t->frame.d, .n1 = t->frame.n1, .n2 = t->frame.n2,
                          .t_min = r->t_min * k->length, .t_max = t_max * k->length };
     if (t->root.seed == t->seed) k->ray.guess = t->root.leaf, k->ray.guess_s = t->root.s, k->ray.guess_t = t->root.t;
-    bvh_traverse(k->tree->bvh, r, &t_max, visit_patch, k, t);
+    bvh_traverse(k->tree->bvh, &about_base, &t_max, visit_patch, k, t);
     return k->found;
 }
 

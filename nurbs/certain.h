@@ -7,6 +7,7 @@
 #include "render/bvh.h"
 
 typedef struct {
+    Vec3 base;                       /* what is below is relative to this point: a surface far from the origin loses nothing */
     const Patch *patches;
     const bool *needs_trim_test;     /* false: wholly kept */
     uint32_t n_patches;
@@ -16,7 +17,7 @@ typedef struct {
 
 /* Cuts the surface into patches whose frames settle most rays, drops those that are trimmed away, and builds the tree. The
  * result lies in `a`. Linear in the number of spans. */
-void certain_prepare(Arena *a, const Surface *s, PatchTree *out);
+void certain_prepare(Arena *a, const Surface *surface, PatchTree *out);
 
 typedef struct {
     double u, v;                     /* parameters of the surface */

@@ -40,7 +40,7 @@ double patch_rounding(const Patch *p, Vec3 offset)
      * to it; N.S and N.o add 3 each, N itself is off by 4. All of them relative to the largest term, hence the maximum norm
      * times 3 for a dot product of three terms. */
     double n = 2 * (p->k_u + p->k_v) + 16;
-    return 0.5 * DBL_EPSILON * n * (p->radius + fabs(offset.x) + fabs(offset.y) + fabs(offset.z));
+    return p->rounding + 0.5 * DBL_EPSILON * n * (p->radius + fabs(offset.x) + fabs(offset.y) + fabs(offset.z));
 }
 
 /* The plane equations of one ray and patch, and where the iteration stands. */

@@ -4,7 +4,7 @@
  *
  * Rounding. The first net is exact within `rounding` (certify.h) times the weights. Restricting to a box is a convex
  * combination whose own error is relative to the coefficients there, which shrink at least with the box: the errors of all
- * levels together stay within twice the first. So a hull that excludes zero by more than SLACK = 2 times that excludes a root.
+ * levels together stay within half of what `rounding` allows for. So a hull that excludes zero by more than SLACK times that excludes a root.
  *
  * Memory comes from the thread's scratch arena, with marks: the depth of the recursion is at most 2 * MAX_HALVINGS. */
 #include "nurbs/clip.h"
@@ -15,7 +15,7 @@
 #include <math.h>
 #include <string.h>
 
-#define SLACK 2.0
+#define SLACK 1.5
 #define ON_THE_RAY 1.25      /* a box whose coefficients are within that many errors of zero cannot be told from the ray */
 /* A box on the ray that is longer than this, in radii of the patch, is no tangent point (those are some 2^-26 long, 2^-17 at a
  * cusp): the ray runs in the surface there, and the hit is where it enters. Boxes that a trim declines are not cut up without

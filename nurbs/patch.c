@@ -174,9 +174,10 @@ static void move_origin(Patch *p, Vec4 *points)
     }
 }
 
-void patch_make(Arena *a, int k_u, int k_v, const Vec4 *points, double u0, double u1, double v0, double v1, Patch *out)
+void patch_make(Arena *a, int k_u, int k_v, const Vec4 *points, double rounding, TrimRect interval, Patch *out)
 {
-    *out = (Patch){ .k_u = k_u, .k_v = k_v, .u0 = u0, .u1 = u1, .v0 = v0, .v1 = v1, .is_polynomial = true };
+    *out = (Patch){ .k_u = k_u, .k_v = k_v, .u0 = interval.u0, .u1 = interval.u1, .v0 = interval.v0, .v1 = interval.v1,
+                    .rounding = rounding, .is_polynomial = true };
     for (int i = 0; i < k_u * k_v; i++) {
         out->w_max = double_max(out->w_max, points[i].w);
         out->is_polynomial = out->is_polynomial && points[i].w == 1;

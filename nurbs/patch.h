@@ -6,6 +6,7 @@
 #ifndef TRIMRAY_PATCH_H
 #define TRIMRAY_PATCH_H
 
+#include "nurbs/trim_tree.h"
 #include "render/arena.h"
 #include "render/vec.h"
 
@@ -21,6 +22,7 @@ typedef struct {
     const Vec4 *p;                /* k_u * k_v points, u fastest */
     bool is_polynomial;           /* every w is 1 */
     double u0, u1, v0, v1;        /* its interval of the surface's parameters */
+    double rounding;              /* its points, and so the patch, are at most this far from where exact arithmetic has them */
     double radius;                /* |S(s, t) - origin| <= radius, with the margin */
     double w_max;                 /* largest weight (1 where is_polynomial) */
 
@@ -34,8 +36,9 @@ typedef struct {
     double variation;
 } Patch;
 
-/* Fills *out from k_u * k_v homogeneous points {wx, wy, wz, w} of positive weight, u fastest; the points are copied. */
-void patch_make(Arena *a, int k_u, int k_v, const Vec4 *points, double u0, double u1, double v0, double v1, Patch *out);
+/* Fills *out from k_u * k_v homogeneous points {wx, wy, wz, w} of positive weight, u fastest; the points are copied. `rounding`
+ * is their error: patches that share a border agree within theirs, and no ray passes between. */
+void patch_make(Arena *a, int k_u, int k_v, const Vec4 *points, double rounding, TrimRect interval, Patch *out);
 
 /* Before it is worth a frame: about how much `variation` would be, and the shares of it that halving along u, along v would
  * halve. For k_u * k_v homogeneous points, as patch_make takes them. */

@@ -404,7 +404,8 @@ static bool read_argument(Options *o, const char *argument, char *const **next, 
 
 bool options_read(int argc, char *const argv[], Arena *a, Options *o)
 {
-    *o = (Options){ .command = COMMAND_RENDER, .nurbs.method = NURBS_METHOD_CERTAIN, .width = 800, .height = 600, .bits = 8, .quality = 9,
+    *o = (Options){ .command = COMMAND_RENDER, .nurbs.method = NURBS_METHOD_CERTAIN, .width = 800, .height = 600,
+                    .bits = 8, .quality = 9,
                     .antialias = antialias_default(), .jitter_on = true, .block_size = 32, .arena = a };
     o->within = o->share = 1;
     o->antialias.method = 1;

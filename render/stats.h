@@ -10,7 +10,7 @@ typedef struct {
     uint64_t nurbs_tests;           /* numerical surface intersections begun: leaves that were reached */
     uint64_t nurbs_hits;            /* of these, the ones that converged to a root */
     uint64_t reported_hits;         /* of these, the ones not trimmed away and nearer than what the ray had */
-    uint64_t newton_iterations;     /* surface evaluations of all Newton tests */
+    uint64_t newton_iterations;     /* surface evaluations after the first guess: `method paper` has that in the leaf */
     uint64_t newton_jitters;        /* steps taken because det J vanished */
     uint64_t certificates, fallbacks;
     uint64_t trim_tests;            /* (u, v) that were classified against trims */

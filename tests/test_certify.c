@@ -38,7 +38,7 @@ static Patch random_patch(Fixture *f, TestRandom *r, double bump, double ratio)
                                                 shift.z + test_range(r, -bump, bump), w));
         }
     Patch out;
-    patch_make(f->arena, k_u, k_v, p, 0, 1, 0, 1, &out);
+    patch_make(f->arena, k_u, k_v, p, 0, (TrimRect){ 0, 1, 0, 1 }, &out);
     return out;
 }
 
@@ -186,7 +186,7 @@ static void a_tangent_ray_hits_and_one_beside_it_does_not(void **state)
         p[3 * j] = vec4(-1, 2 * j - 1, 1, 1), p[3 * j + 1] = vec4(0, 2 * j - 1, -1, 1), p[3 * j + 2] = vec4(1, 2 * j - 1, 1, 1);
     }
     Patch patch;
-    patch_make(f->arena, 3, 2, p, -1, 1, -1, 1, &patch);
+    patch_make(f->arena, 3, 2, p, 0, (TrimRect){ -1, 1, -1, 1 }, &patch);
     const double heights[] = { 0.25, 1e-4, 1e-8, 1e-12, 0, -1e-13, -1e-8, -0.1 };
     for (int i = 0; i < 8; i++) {
         PatchRay ray = patch_ray(vec(-3, 0.3, heights[i]), vec(1, 0, 0), 0, INFINITY);
@@ -206,7 +206,7 @@ static void a_ray_in_the_surface_hits_where_it_enters(void **state)
     Fixture *f = *state;
     Vec4 p[4] = { { 0, 0, 0, 1 }, { 1, 0, 0, 1 }, { 0, 1, 0, 1 }, { 1, 1, 0, 1 } };
     Patch patch;
-    patch_make(f->arena, 2, 2, p, 0, 1, 0, 1, &patch);
+    patch_make(f->arena, 2, 2, p, 0, (TrimRect){ 0, 1, 0, 1 }, &patch);
     PatchRay ray = patch_ray(vec(-2, 0.5, 0), vec(1, 0, 0), 0, INFINITY);
     double nearest = INFINITY;
     patch_roots(&patch, &ray, keep_nearest, &nearest, &f->trace);

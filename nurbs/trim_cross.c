@@ -23,7 +23,7 @@ typedef struct {
     int piece[2];        /* of a, where the excursion was found */
 } Excursions;
 
-static int side_of(const TrimChain *b, Vec2 p) { return trim_chain_winding(b, p) != 0 ? INSIDE : OUTSIDE; }
+static int side_of(const TrimChain *b, Vec2 p) { return trim_chain_winding(b, wide_point(p)) != 0 ? INSIDE : OUTSIDE; }
 
 static void note(Excursions *e, int side, double distance, Vec2 at, int piece)
 {
@@ -32,7 +32,7 @@ static void note(Excursions *e, int side, double distance, Vec2 at, int piece)
 
 static double distance_to_piece(const TrimChain *c, int piece, Vec2 p)
 {
-    return vec2_length(vec2_sub(p, trim_piece_nearest(c->p[piece], c->p[piece + 1], p)));
+    return vec2_length(vec2_sub(p, trim_piece_nearest(c->path.p[piece], c->path.p[piece + 1], p)));
 }
 
 /* Where a-b and c-d meet; for parallel ones an end. */
@@ -48,8 +48,8 @@ static bool meets_chain(Vec2 p, Vec2 q, const TrimChain *b, Vec2 *at)
 {
     TrimRect box = trim_rect_of(p, q);
     for (int j = trim_chain_next(b, box, 0); j >= 0; j = trim_chain_next(b, box, j + 1)) {
-        if (!trim_pieces_meet(p, q, b->p[j], b->p[j + 1])) continue;
-        *at = meeting_point(p, q, b->p[j], b->p[j + 1]);
+        if (!trim_pieces_meet(p, q, b->path.p[j], b->path.p[j + 1])) continue;
+        *at = meeting_point(p, q, b->path.p[j], b->path.p[j + 1]);
         return true;
     }
     return false;
@@ -80,9 +80,9 @@ static void bisect(Excursions *e, Vec2 p, Vec2 q, int piece)
 static bool is_settled(Excursions *e, int level, int g)
 {
     if (trim_chain_meets(e->b, e->a->boxes.box[level][g >> (2 * level)])) return false;
-    int first = g * TRIM_GROUP, side = side_of(e->b, e->a->p[first]);
+    int first = g * TRIM_GROUP, side = side_of(e->b, e->a->path.p[first]);
     if (e->far[side] >= TRIM_DEPTH_CAP) return true;
-    note(e, side, trim_chain_nearest(e->b, e->a->p[first], TRIM_DEPTH_CAP).distance, e->a->p[first], first);
+    note(e, side, trim_chain_nearest(e->b, e->a->path.p[first], TRIM_DEPTH_CAP).distance, e->a->path.p[first], first);
     return e->far[side] >= TRIM_DEPTH_CAP;
 }
 
@@ -96,7 +96,7 @@ static void excursions_below(Excursions *e, int level, int g)
         for (int h = g; h < end && h < a->boxes.n[0]; h += step) excursions_below(e, level - 1, h);
     } else {
         int first = g * TRIM_GROUP;
-        for (int i = first; i < first + TRIM_GROUP && i < a->n; i++) bisect(e, a->p[i], a->p[i + 1], i);
+        for (int i = first; i < first + TRIM_GROUP && i < a->path.n; i++) bisect(e, a->path.p[i], a->path.p[i + 1], i);
     }
 }
 
@@ -113,8 +113,8 @@ static TrimCrossing crossing_of(const Excursions *e)
     int lesser = e->far[INSIDE] < e->far[OUTSIDE] ? INSIDE : OUTSIDE;
     TrimCrossing c = { e->far[lesser], e->at[lesser] };
     if (c.depth <= TRIM_EPSILON) return c;
-    for (int back = 0, i = e->piece[lesser]; back < e->a->n; back++, i = (i > 0 ? i : e->a->n) - 1) {
-        if (meets_chain(e->a->p[i], e->a->p[i + 1], e->b, &c.at)) break;
+    for (int back = 0, i = e->piece[lesser]; back < e->a->path.n; back++, i = (i > 0 ? i : e->a->path.n) - 1) {
+        if (meets_chain(e->a->path.p[i], e->a->path.p[i + 1], e->b, &c.at)) break;
     }
     return c;
 }
@@ -123,7 +123,7 @@ TrimRelation trim_relation(const TrimChain *a, const TrimChain *b)
 {
     if (!trim_rects_meet(trim_chain_box(a), trim_chain_box(b))) return (TrimRelation){ 0 };
     if (!trim_chains_meet(a, b, NULL, NULL)) {   /* one point speaks for all */
-        return (TrimRelation){ .is_inside = side_of(b, a->p[0]) == INSIDE };
+        return (TrimRelation){ .is_inside = side_of(b, a->path.p[0]) == INSIDE };
     }
     Excursions ab = excursions(a, b);
     TrimRelation r = { ab.far[INSIDE] > ab.far[OUTSIDE], crossing_of(&ab) };
@@ -142,7 +142,7 @@ typedef struct { Arena *arena; const TrimChain *chain; double *at; size_t n, cap
 
 static void add_cut(Cuts *cuts, int i, Vec2 p)
 {
-    Vec2 a = cuts->chain->p[i], ab = vec2_sub(cuts->chain->p[i + 1], a);
+    Vec2 a = cuts->chain->path.p[i], ab = vec2_sub(cuts->chain->path.p[i + 1], a);
     double s = vec2_dot(vec2_sub(p, a), ab) / vec2_dot(ab, ab);
     ARENA_PUSH(cuts->arena, cuts->at, cuts->n, cuts->capacity) = i + fmin(fmax(s, 0), 1);
 }
@@ -151,7 +151,7 @@ static void add_cut(Cuts *cuts, int i, Vec2 p)
 static bool cut_pair(void *context, int i, int j)
 {
     Cuts *cuts = context;
-    const Vec2 *a = cuts->chain->p + i, *b = cuts->chain->p + j;
+    const Vec2 *a = cuts->chain->path.p + i, *b = cuts->chain->path.p + j;
     if (trim_side(a[0], a[1], b[0]) == 0 && trim_side(a[0], a[1], b[1]) == 0) {
         add_cut(cuts, i, b[0]), add_cut(cuts, i, b[1]);
         add_cut(cuts, j, a[0]), add_cut(cuts, j, a[1]);
@@ -203,13 +203,13 @@ static double touching_circle(const TrimChain *c, Vec2 x, Vec2 normal)
 static bool probe(Self *self, int i, double s)
 {
     const TrimChain *c = self->chain;
-    Vec2 a = c->p[i], ab = vec2_sub(c->p[i + 1], a), x = vec2_add(a, vec2_scale(ab, s));
+    Vec2 a = c->path.p[i], ab = vec2_sub(c->path.p[i + 1], a), x = vec2_add(a, vec2_scale(ab, s));
     Vec2 left = vec2_scale(vec2(-ab.y, ab.x), 1 / vec2_length(ab));
     bool is_wrong = false;
     for (int side = -1; side <= 1; side += 2) {
         Vec2 normal = vec2_scale(left, side);
         double r = touching_circle(c, x, normal);
-        int winding = r > 0 ? trim_chain_winding(c, vec2_add(x, vec2_scale(normal, r))) : 0;
+        int winding = r > 0 ? trim_chain_winding(c, wide_point(vec2_add(x, vec2_scale(normal, r)))) : 0;
         if (winding == 0 || winding == self->winding) continue;
         is_wrong = true;
         if (2 * r > self->worst.depth) self->worst = (TrimCrossing){ 2 * r, self->start };
@@ -227,7 +227,7 @@ static Part part_of(double from, double to, int i) { return (Part){ fmax(from - 
 /* The run from `from` to `to` (piece numbers and places on them; `to` may be beyond the last piece, and goes round). */
 static void probe_run(Self *self, double from, double to)
 {
-    int n = self->chain->n, first = (int)from, last = (int)to, per_piece = RUN_SAMPLES / (last - first + 1) + 1;
+    int n = self->chain->path.n, first = (int)from, last = (int)to, per_piece = RUN_SAMPLES / (last - first + 1) + 1;
     int middle = (int)((from + to) / 2);
     Part part = part_of(from, to, middle);
     if (to - from < TRIM_EPSILON || !probe(self, middle % n, (part.lo + part.hi) / 2)) return;
@@ -244,9 +244,9 @@ TrimCrossing trim_self_crossing(Arena *scratch, const TrimChain *c, bool is_ccw)
     Cuts cuts = find_cuts(scratch, c);
     Self self = { .chain = c, .winding = is_ccw ? 1 : -1 };
     for (size_t k = 0; k < cuts.n && self.worst.depth <= TRIM_CROSSING; k++) {
-        double from = cuts.at[k], to = k + 1 < cuts.n ? cuts.at[k + 1] : cuts.at[0] + c->n;
-        int i = (int)from % c->n;
-        self.start = vec2_add(c->p[i], vec2_scale(vec2_sub(c->p[i + 1], c->p[i]), from - floor(from)));
+        double from = cuts.at[k], to = k + 1 < cuts.n ? cuts.at[k + 1] : cuts.at[0] + c->path.n;
+        int i = (int)from % c->path.n;
+        self.start = vec2_add(c->path.p[i], vec2_scale(vec2_sub(c->path.p[i + 1], c->path.p[i]), from - floor(from)));
         probe_run(&self, from, to);
     }
     return self.worst;

@@ -1,9 +1,9 @@
 /* Do trims cross, and how deep? Sharing vertices and edges, touching and near misses are no crossings: what counts is how
- * far a trim gets to the wrong side. */
+ * far a trim gets to the wrong side. All chains here are of straight pieces (trim_flat.h): depths are a matter of tolerance. */
 #ifndef TRIMRAY_TRIM_CROSS_H
 #define TRIMRAY_TRIM_CROSS_H
 
-#include "nurbs/trim_chain.h"
+#include "nurbs/trim_pairs.h"
 
 /* A deeper crossing is an error, of the domain. In real parts the deepest are 7e-5. */
 #define TRIM_CROSSING 1e-4

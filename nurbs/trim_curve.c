@@ -1,17 +1,11 @@
-/* B-spline curves in the parameter plane, made points: spans become Bézier segments, and these are halved until their
- * control points lie on the chord. See trim_curve.h. */
+/* B-spline curves in the parameter plane: their spans as Bézier segments. See trim_curve.h. */
 #include "nurbs/trim_curve.h"
 
-#include "nurbs/bezier.h"
 #include "nurbs/knots.h"
-#include "nurbs/trim_chain.h"
 
 /* Weights below this part of the segment's greatest are raised to it: so far apart they act alike, and their quotients must
  * stay finite. */
 #define LEAST_WEIGHT 0x1p-500
-
-/* Halving a parameter more often than a double has bits yields nothing new. */
-#define MAX_HALVINGS 52
 
 Vec2 trim_to_unit(const TrimRect *d, Vec2 p)
 {
@@ -23,9 +17,15 @@ Vec2 trim_from_unit(const TrimRect *d, Vec2 p)
     return vec2((1 - p.x) * d->u0 + p.x * d->u1, (1 - p.y) * d->v0 + p.y * d->v1);
 }
 
-void trim_points_add(Arena *a, TrimPoints *list, Vec2 p)
+static Wide to_unit(double from, double to, double x)
 {
-    ARENA_PUSH(a, list->p, list->n, list->capacity) = p;
+    Wide q = wide_div(wide_sum(x, -from), wide_sum(to, -from));
+    return isfinite(q.lo) ? q : wide((x - from) / (to - from));     /* a domain as wide as all doubles */
+}
+
+WidePoint trim_to_unit_wide(const TrimRect *d, Vec2 p)
+{
+    return (WidePoint){ to_unit(d->u0, d->u1, p.x), to_unit(d->v0, d->v1, p.y) };
 }
 
 static bool refuse(NurbsError *error, NurbsCode code, int index, int other, double value)
@@ -62,47 +62,35 @@ bool trim_curve_starts_at(const TrimCurveDesc *c, int s)
     return s == trim_curve_span(c, 0) || c->knots[s - c->order + 1] == c->knots[s];
 }
 
-void trim_curve_segment(const TrimCurveDesc *c, const TrimRect *domain, int s, Vec4 out[])
+static WideControl blend(WideControl a, WideControl b, Wide s)
 {
-    int k = c->order;
+    return (WideControl){ wide_lerp(a.x, b.x, s), wide_lerp(a.y, b.y, s), wide_lerp(a.w, b.w, s) };
+}
+
+static Wide share(double from, double at, double to) { return wide_div(wide_sum(at, -from), wide_sum(to, -from)); }
+
+/* bezier_from_span (bezier.c says how it works) with twice the precision. */
+static void close_span(int k, const double tau[], int mu, WideControl p[])
+{
+    for (int q = 1; q < k; q++)
+        for (int i = 0; i < k - q; i++)
+            p[i] = blend(p[i], p[i + 1], share(tau[mu - k + 1 + q + i], tau[mu], tau[mu + 1 + i]));
+    for (int q = 1; q < k; q++)
+        for (int i = k - 1; i >= q; i--)
+            p[i] = blend(p[i - 1], p[i], share(tau[mu], tau[mu + 1], tau[mu + i - q + 1]));
+}
+
+void trim_curve_segment(const TrimCurveDesc *c, const TrimRect *domain, int s, WideControl out[])
+{
+    int k = c->order, exponent;
     const Vec3 *given = c->points + (s - k + 1);
     double w_max = 0;
     for (int i = 0; i < k; i++) w_max = fmax(w_max, given[i].z);
+    (void)frexp(w_max, &exponent);
     for (int i = 0; i < k; i++) {
-        Vec2 q = trim_to_unit(domain, vec2(given[i].x, given[i].y));
-        out[i] = vec4_weighted(vec4(q.x, q.y, 0, fmax(given[i].z / w_max, LEAST_WEIGHT)));
+        WidePoint q = trim_to_unit_wide(domain, vec2(given[i].x, given[i].y));
+        Wide w = wide(fmax(ldexp(given[i].z, -exponent), LEAST_WEIGHT));
+        out[i] = (WideControl){ wide_mul(w, q.x), wide_mul(w, q.y), w };
     }
-    bezier_from_span(k, c->knots, s, 1, out);
+    close_span(k, c->knots, s, out);
 }
-
-static Vec2 project(Vec4 p) { return vec2(p.x / p.w, p.y / p.w); }
-
-Vec2 trim_segment_start(const Vec4 segment[]) { return project(segment[0]); }
-
-/* Is the hull on the chord, or so far on one side of the domain that the trim is an error anyway? */
-static bool is_flat(int k, const Vec4 p[])
-{
-    const double far = 2 * TRIM_OUTSIDE;
-    Vec2 a = project(p[0]), b = project(p[k - 1]), lo = a, hi = a;
-    double worst = 0;
-    for (int i = 1; i < k; i++) {
-        Vec2 q = project(p[i]);
-        worst = fmax(worst, vec2_length(vec2_sub(q, trim_piece_nearest(a, b, q))));
-        lo = vec2(fmin(lo.x, q.x), fmin(lo.y, q.y)), hi = vec2(fmax(hi.x, q.x), fmax(hi.y, q.y));
-    }
-    return worst <= TRIM_CHORD || hi.x < -far || hi.y < -far || lo.x > 1 + far || lo.y > 1 + far;
-}
-
-static void flatten(Arena *a, int k, Vec4 p[], int halvings, TrimPoints *out)
-{
-    if (halvings < MAX_HALVINGS && !is_flat(k, p)) {
-        Vec4 left[NURBS_MAX_ORDER];
-        bezier_cut(k, 1, .5, p, left);
-        flatten(a, k, left, halvings + 1, out);
-        flatten(a, k, p, halvings + 1, out);
-    } else {
-        trim_points_add(a, out, project(p[k - 1]));
-    }
-}
-
-void trim_segment_flatten(Arena *a, int k, Vec4 segment[], TrimPoints *out) { flatten(a, k, segment, 0, out); }

@@ -1,131 +1,43 @@
-/* Reading a trim: see trim_loop.h. The steps, each on a list of points: the strands (maximal runs without a joint) one after
- * the other; the joints between them; the domain's border; points that say nothing. */
+/* Reading a trim: see trim_loop.h. Each step of trim_strand.h becomes pieces: curves are cut where they turn and where they pass
+ * the domain's border; what is outside or along the border becomes straight. */
 #include "nurbs/trim_loop.h"
 
-#include "nurbs/trim_chain.h"
+#include <stdlib.h>
 
-/* Places along a bridge where its length in space is looked at: a straight piece across a closed surface has ends that fall
- * together and a middle that does not. */
-#define BRIDGE_SAMPLES 8
-
-typedef struct { size_t first; int curve; } Strand;    /* where in the points, and the curve that it begins with */
+/* A vertex of the path, and the arc to the next one. */
+typedef struct { WidePoint p; TrimArc arc; } Side;
 
 typedef struct {
     Arena *arena;
-    const TrimInput *in;
-    const TrimLoopDesc *desc;
-    TrimPoints points;
-    Strand *strands;
-    size_t n_strands, strands_capacity;
-    TrimLoop *out;
-    NurbsError *error;
-} Reader;
+    Side *sides;
+    size_t n, capacity;
+    double outside;                /* the farthest */
+    Vec2 outside_at;
+    bool has_arcs, has_low;
+} Outline;
 
-static bool refuse(Reader *r, NurbsCode code, int other, Vec2 at, double value)
+/* ---- vertices ---- */
+
+static bool are_equal(WidePoint a, WidePoint b)
 {
-    NurbsError *e = r->error;
-    at = trim_from_unit(&r->in->domain, at);
-    e->code = code, e->index = r->out->index, e->other = other, e->u = at.x, e->v = at.y, e->value = value;
-    return false;
+    return a.x.hi == b.x.hi && a.y.hi == b.y.hi && a.x.lo == b.x.lo && a.y.lo == b.y.lo;
 }
 
-static void note(TrimFault *f, double value, Vec2 at)
+static void add_vertex(Outline *o, WidePoint p)
 {
-    if (value > TRIM_SILENT && value > f->value) *f = (TrimFault){ value, at };
+    if (o->n > 0 && are_equal(o->sides[o->n - 1].p, p)) return;
+    ARENA_PUSH(o->arena, o->sides, o->n, o->capacity) = (Side){ .p = p };
+    o->has_low = o->has_low || p.x.lo != 0 || p.y.lo != 0;
 }
 
-static double max_norm(Vec2 p) { return fmax(fabs(p.x), fabs(p.y)); }
-
-/* ---- strands ---- */
-
-static bool read_polyline(Reader *r)
+static void add_arc(Outline *o, const TrimSegment *s, double t0, double t1, WidePoint a, WidePoint b)
 {
-    const TrimCurveDesc *c = r->desc->curves;
-    if (r->desc->n_curves < 1 || c->n < 3) return refuse(r, NURBS_TRIM_TOO_SHORT, 3, vec2(0, 0), c ? c->n : 0);
-    for (int i = 0; i < c->n; i++) {
-        Vec2 p = vec2(c->points[i].x, c->points[i].y);
-        if (!isfinite(p.x) || !isfinite(p.y)) {
-            r->error->curve = 0;
-            refuse(r, NURBS_POINT_NOT_FINITE, isfinite(p.x), vec2(0, 0), isfinite(p.x) ? p.y : p.x);
-            r->error->index = i;
-            return false;
-        }
-        trim_points_add(r->arena, &r->points, trim_to_unit(&r->in->domain, p));
-    }
-    return true;
+    add_vertex(o, a);
+    if (are_equal(a, b)) return;
+    o->sides[o->n - 1].arc = trim_arc_make(s, t0, t1);
+    o->has_arcs = true;
+    add_vertex(o, b);
 }
-
-static void begin_strand(Reader *r, int curve, Vec2 start)
-{
-    ARENA_PUSH(r->arena, r->strands, r->n_strands, r->strands_capacity) = (Strand){ r->points.n, curve };
-    trim_points_add(r->arena, &r->points, start);
-}
-
-static bool read_curve(Reader *r, int curve)
-{
-    const TrimCurveDesc *c = &r->desc->curves[curve];
-    r->error->curve = curve;
-    if (!trim_curve_is_valid(c, r->error)) return false;
-    for (int s = trim_curve_span(c, 0); s >= 0; s = trim_curve_span(c, s + 1)) {
-        Vec4 segment[NURBS_MAX_ORDER];
-        trim_curve_segment(c, &r->in->domain, s, segment);
-        if (trim_curve_starts_at(c, s)) begin_strand(r, curve, trim_segment_start(segment));
-        trim_segment_flatten(r->arena, c->order, segment, &r->points);
-    }
-    return true;
-}
-
-static bool read_curves(Reader *r)
-{
-    if (r->desc->n_curves < 1) return refuse(r, NURBS_TRIM_TOO_SHORT, 1, vec2(0, 0), 0);
-    for (int i = 0; i < r->desc->n_curves; i++) {
-        if (!read_curve(r, i)) return false;
-    }
-    r->error->curve = -1;
-    return true;
-}
-
-/* ---- joints ---- */
-
-/* How long the straight piece from a to b is in space, relative to the surface. */
-static double length_in_space(const TrimInput *in, Vec2 a, Vec2 b)
-{
-    if (!in->distance) return INFINITY;
-    Vec2 from = trim_from_unit(&in->domain, a);
-    double worst = 0;
-    for (int i = 1; i <= BRIDGE_SAMPLES; i++) {
-        double s = (double)i / BRIDGE_SAMPLES;
-        Vec2 at = vec2_add(vec2_scale(a, 1 - s), vec2_scale(b, s));
-        worst = fmax(worst, in->distance(in->surface, from, trim_from_unit(&in->domain, at)));
-    }
-    return worst;
-}
-
-/* The joint before strand i. A bridge needs no point of its own: the ends are neighbours in the list. */
-static bool close_joint(Reader *r, size_t i)
-{
-    size_t last = i > 0 ? r->strands[i].first - 1 : r->points.n - 1;
-    Vec2 *from = &r->points.p[last], *to = &r->points.p[r->strands[i].first];
-    double gap = max_norm(vec2_sub(*to, *from));
-    if (gap <= TRIM_SILENT) {
-        *from = *to = vec2((from->x + to->x) / 2, (from->y + to->y) / 2);
-        return true;
-    }
-    note(&r->out->bridged, gap, *to);
-    if (gap <= TRIM_BRIDGE || length_in_space(r->in, *from, *to) <= TRIM_BRIDGE_SPACE) return true;
-    r->error->curve = r->strands[i].curve;
-    return refuse(r, NURBS_TRIM_OPEN, r->strands[i].curve, *to, gap);
-}
-
-static bool close_joints(Reader *r)
-{
-    for (size_t i = 0; i < r->n_strands; i++) {
-        if (!close_joint(r, i)) return false;
-    }
-    return true;
-}
-
-/* ---- the border ---- */
 
 static double distance_outside(Vec2 p)
 {
@@ -133,29 +45,18 @@ static double distance_outside(Vec2 p)
     return fmax(fmax(fmax(-p.x, p.x - 1), fmax(-p.y, p.y - 1)), 0);
 }
 
-static bool check_inside(Reader *r)
+/* Notes how far outside; false: too far to go on with this point. */
+static bool note_outside(Outline *o, Vec2 p)
 {
-    double worst = 0;
-    Vec2 at = vec2(0, 0);
-    for (size_t i = 0; i < r->points.n; i++) {
-        double d = distance_outside(r->points.p[i]);
-        if (d > worst) worst = d, at = r->points.p[i];
-    }
-    note(&r->out->clamped, worst, at);
-    return worst <= TRIM_OUTSIDE || refuse(r, NURBS_TRIM_OUTSIDE, -1, at, worst);
+    double d = distance_outside(p);
+    if (d > o->outside) o->outside = d, o->outside_at = p;
+    return d <= TRIM_OUTSIDE;
 }
 
-static double to_border(double x)
-{
-    return x <= TRIM_SILENT ? 0 : x >= 1 - TRIM_SILENT ? 1 : x;
-}
+static double to_border(double x) { return x <= TRIM_SILENT ? 0 : x >= 1 - TRIM_SILENT ? 1 : x; }
+static void add_clamped(Outline *o, Vec2 p) { add_vertex(o, wide_point(vec2(to_border(p.x), to_border(p.y)))); }
 
-static void add_clamped(Reader *r, TrimPoints *list, Vec2 p)
-{
-    p = vec2(to_border(p.x), to_border(p.y));
-    if (list->n > 0 && list->p[list->n - 1].x == p.x && list->p[list->n - 1].y == p.y) return;
-    trim_points_add(r->arena, list, p);
-}
+/* ---- straight pieces ---- */
 
 /* Where in (0, 1) the way from x to y passes 0 and 1: up to two places, appended to s. */
 static int passes(double x, double y, double s[], int n)
@@ -166,30 +67,117 @@ static int passes(double x, double y, double s[], int n)
     return n;
 }
 
-/* Clamping bends a piece where it passes the border: there it gets points. */
-static void add_piece_clamped(Reader *r, TrimPoints *list, Vec2 a, Vec2 b)
+static void sort(double s[], int n)
 {
-    double s[4];
-    int n = passes(a.y, b.y, s, passes(a.x, b.x, s, 0));
     for (int i = 1; i < n; i++) {
         for (int j = i; j > 0 && s[j] < s[j - 1]; j--) {
             double swap = s[j];
             s[j] = s[j - 1], s[j - 1] = swap;
         }
     }
-    for (int i = 0; i < n; i++) {
-        add_clamped(r, list, vec2_add(vec2_scale(a, 1 - s[i]), vec2_scale(b, s[i])));
-    }
-    add_clamped(r, list, b);
 }
 
-static void clamp_to_domain(Reader *r)
+/* Clamping bends a piece where it passes the border: there it gets points. */
+static void add_straight(Outline *o, Vec2 a, Vec2 b)
 {
-    TrimPoints list = { 0 };
-    const TrimPoints *all = &r->points;
-    for (size_t i = 0; i < all->n; i++) add_piece_clamped(r, &list, all->p[(i ? i : all->n) - 1], all->p[i]);
-    while (list.n > 1 && list.p[0].x == list.p[list.n - 1].x && list.p[0].y == list.p[list.n - 1].y) list.n--;
-    r->points = list;
+    bool is_near = note_outside(o, a);
+    if (!note_outside(o, b) || !is_near) return;
+    double s[4];
+    int n = passes(a.y, b.y, s, passes(a.x, b.x, s, 0));
+    sort(s, n);
+    add_clamped(o, a);
+    for (int i = 0; i < n; i++) add_clamped(o, vec2_add(vec2_scale(a, 1 - s[i]), vec2_scale(b, s[i])));
+    add_clamped(o, b);
+}
+
+/* ---- arcs ---- */
+
+static bool are_along(double x, double y)
+{
+    return (x <= TRIM_SILENT && y <= TRIM_SILENT) || (x >= 1 - TRIM_SILENT && y >= 1 - TRIM_SILENT);
+}
+
+/* Monotone, and nowhere on both sides of a border. */
+static void add_part(Outline *o, const TrimSegment *s, double t0, double t1, WidePoint a, WidePoint b)
+{
+    Vec2 p = wide_point_round(a), q = wide_point_round(b);
+    if (are_along(p.x, q.x) || are_along(p.y, q.y)) {
+        add_clamped(o, p);
+        add_clamped(o, q);
+    } else {
+        add_arc(o, s, t0, t1, a, b);
+    }
+}
+
+/* The point of the curve at t, which is on a border or was meant to be. */
+static WidePoint put_on_border(WidePoint p)
+{
+    const double rounding = 0x1p-48;
+    if (fabs(p.x.hi) < rounding) p.x = wide(0);
+    if (fabs(p.x.hi - 1) < rounding) p.x = wide(1);
+    if (fabs(p.y.hi) < rounding) p.y = wide(0);
+    if (fabs(p.y.hi - 1) < rounding) p.y = wide(1);
+    return p;
+}
+
+static int border_passes(const TrimSegment *s, double t0, double t1, Vec2 a, Vec2 b, double t[])
+{
+    double unused[4];
+    int n = 0;
+    const TrimArc arc = { .segment = s, .t0 = t0, .t1 = t1 };
+    for (int border = 0; border <= 1; border++) {
+        if ((a.x < border) != (b.x < border) && passes(a.x, b.x, unused, 0)) t[n++] = trim_arc_find(&arc, 0, border);
+        if ((a.y < border) != (b.y < border) && passes(a.y, b.y, unused, 0)) t[n++] = trim_arc_find(&arc, 1, border);
+    }
+    sort(t, n);
+    return n;
+}
+
+/* The monotone part of a curve between two turns. */
+static void add_monotone(Outline *o, const TrimSegment *s, double t0, double t1, WidePoint a, WidePoint b)
+{
+    double t[4];
+    Vec2 from = wide_point_round(a), to = wide_point_round(b);
+    bool is_near = note_outside(o, from);
+    if (!note_outside(o, to) || !is_near) return;
+    bool is_inside = distance_outside(from) == 0 && distance_outside(to) == 0;
+    int n = is_inside ? 0 : border_passes(s, t0, t1, from, to, t);
+    for (int i = 0; i < n; i++) {
+        if (!(t[i] > t0 && t[i] < t1)) continue;
+        WidePoint middle = put_on_border(trim_segment_at(s, t[i]));
+        add_part(o, s, t0, t[i], a, middle);
+        t0 = t[i], a = middle;
+    }
+    add_part(o, s, t0, t1, a, b);
+}
+
+static void add_curve(Outline *o, const TrimStep *step, WidePoint end)
+{
+    TrimSegment *s = ARENA_NEW(o->arena, TrimSegment);
+    *s = trim_segment_make(step->k, step->control);
+    double t[TRIM_MAX_TURNS];
+    int n = trim_segment_turns(s, t);
+    double t0 = 0;
+    WidePoint a = step->p;
+    for (int i = 0; i < n; i++) {
+        WidePoint b = trim_segment_at(s, t[i]);
+        add_monotone(o, s, t0, t[i], a, b);
+        t0 = t[i], a = b;
+    }
+    add_monotone(o, s, t0, 1, a, end);
+}
+
+static Outline outline_of(Arena *a, const TrimSteps *steps)
+{
+    Outline o = { .arena = a };
+    for (size_t i = 0; i < steps->n; i++) {
+        const TrimStep *s = &steps->step[i];
+        WidePoint end = steps->step[i + 1 < steps->n ? i + 1 : 0].p;
+        if (s->control) add_curve(&o, s, end);
+        else add_straight(&o, wide_point_round(s->p), wide_point_round(end));
+    }
+    while (o.n > 1 && !o.sides[o.n - 1].arc.segment && are_equal(o.sides[0].p, o.sides[o.n - 1].p)) o.n--;
+    return o;
 }
 
 /* ---- the whole ---- */
@@ -202,40 +190,58 @@ double trim_signed_area(const Vec2 *p, int n)
     return twice / 2;
 }
 
-static double length_of(const Vec2 *p, int n)
+static TrimPath path_of(const Outline *o)
 {
-    double sum = 0;
-    for (int i = 0; i < n; i++) sum += vec2_length(vec2_sub(p[i + 1], p[i]));
-    return sum;
+    size_t n = o->n;
+    Vec2 *p = ARENA_ARRAY(o->arena, Vec2, n + 1), *low = o->has_low ? ARENA_ARRAY(o->arena, Vec2, n + 1) : NULL;
+    TrimArc *arc = o->has_arcs ? ARENA_ARRAY(o->arena, TrimArc, n) : NULL;
+    for (size_t i = 0; i <= n; i++) {
+        const Side *s = &o->sides[i < n ? i : 0];
+        p[i] = wide_point_round(s->p);
+        if (low) low[i] = vec2(s->p.x.lo, s->p.y.lo);
+        if (arc && i < n) arc[i] = s->arc;
+    }
+    return (TrimPath){ (int)n, p, low, arc };
 }
 
-static void finish(Reader *r)
+static void measure(TrimLoop *l)
 {
-    TrimLoop *out = r->out;
-    int n = (int)r->points.n;
-    if (n < 3) return;
-    trim_points_add(r->arena, &r->points, r->points.p[0]);
-    out->area = trim_signed_area(r->points.p, n);
-    if (2 * fabs(out->area) <= TRIM_THIN * length_of(r->points.p, n)) return;
-    out->p = r->points.p, out->n = n;
+    const TrimPath *path = &l->path;
+    double length = 0;
+    l->area = trim_signed_area(path->p, path->n);
+    for (int i = 0; i < path->n; i++) {
+        length += vec2_length(vec2_sub(path->p[i + 1], path->p[i]));
+        if (!trim_is_straight(path, i)) l->area += trim_arc_area(&path->arc[i]);
+    }
+    l->is_thin = 2 * fabs(l->area) <= TRIM_THIN * length;
+}
+
+static bool refuse_outside(const TrimInput *in, const Outline *o, NurbsError *error)
+{
+    Vec2 at = trim_from_unit(&in->domain, o->outside_at);
+    error->code = NURBS_TRIM_OUTSIDE, error->other = -1, error->u = at.x, error->v = at.y, error->value = o->outside;
+    return false;
 }
 
 bool trim_loop_read(Arena *a, const TrimInput *in, int index, TrimLoop *out, NurbsError *error)
 {
-    Reader r = { .arena = a, .in = in, .desc = &in->loops[index], .out = out, .error = error };
+    TrimSteps steps = { 0 };
     *out = (TrimLoop){ .index = index };
     *error = (NurbsError){ .where = NURBS_IN_TRIM, .trim = index, .curve = -1, .index = index, .other = -1 };
-    if (!(r.desc->is_polyline ? read_polyline(&r) : read_curves(&r))) return false;
-    if (!close_joints(&r) || !check_inside(&r)) return false;
-    clamp_to_domain(&r);
-    finish(&r);
+    if (!trim_steps_read(a, in, index, &steps, &out->bridged, error)) return false;
+    Outline o = outline_of(a, &steps);
+    if (o.outside > TRIM_OUTSIDE) return refuse_outside(in, &o, error);
+    if (o.outside > TRIM_SILENT) out->clamped = (TrimFault){ o.outside, o.outside_at };
+    if (o.n < 2) return true;
+    out->path = path_of(&o);
+    measure(out);
     return true;
 }
 
 bool trim_loop_is_border(const TrimLoop *l)
 {
-    for (int i = 0; i < l->n; i++) {
-        Vec2 a = l->p[i], b = l->p[i + 1];
+    for (int i = 0; i < l->path.n; i++) {
+        Vec2 a = l->path.p[i], b = l->path.p[i + 1];
         bool on_u = a.x == b.x && (a.x == 0 || a.x == 1), on_v = a.y == b.y && (a.y == 0 || a.y == 1);
         if (!on_u && !on_v) return false;
     }

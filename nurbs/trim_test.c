@@ -7,18 +7,21 @@
 
 #include "nurbs/trim_curve.h"
 
-static double inset(double x) { return fmin(fmax(x, TRIM_INSET), 1 - TRIM_INSET); }
-
-static Vec2 to_inner(const TrimTree *t, double u, double v)
+static Wide inset(Wide x)
 {
-    Vec2 p = trim_to_unit(&t->domain, vec2(u, v));
-    return vec2(inset(p.x), inset(p.y));
+    return x.hi < TRIM_INSET_LOW ? wide(TRIM_INSET_LOW) : x.hi > 1 - TRIM_INSET_HIGH ? wide(1 - TRIM_INSET_HIGH) : x;
+}
+
+WidePoint trim_test_point(const TrimTree *t, double u, double v)
+{
+    WidePoint p = trim_to_unit_wide(&t->domain, vec2(u, v));
+    return (WidePoint){ inset(p.x), inset(p.y) };
 }
 
 /* The next trim of the list, from number i on, that contains p; -1: none. */
-static int next_around(const TrimList *l, Vec2 p, int i)
+static int next_around(const TrimList *l, WidePoint p, int i)
 {
-    TrimRect at = { p.x, p.x, p.y, p.y };
+    TrimRect at = { p.x.hi, p.x.hi, p.y.hi, p.y.hi };
     while ((i = trim_boxes_next(&l->boxes, at, i)) >= 0) {
         if (trim_chain_winding(&l->trims[i]->chain, p) != 0) return i;
         i++;
@@ -26,7 +29,7 @@ static int next_around(const TrimList *l, Vec2 p, int i)
     return -1;
 }
 
-static bool list_keeps(const TrimList *l, Vec2 p)
+static bool list_keeps(const TrimList *l, WidePoint p)
 {
     for (int i = next_around(l, p, 0); i >= 0; i = next_around(l, p, i + 1)) {
         if (list_keeps(&l->trims[i]->inner, p) != l->keeps_outside) return !l->keeps_outside;
@@ -34,7 +37,7 @@ static bool list_keeps(const TrimList *l, Vec2 p)
     return l->keeps_outside;
 }
 
-bool trim_keeps(const TrimTree *t, double u, double v) { return list_keeps(&t->top, to_inner(t, u, v)); }
+bool trim_keeps(const TrimTree *t, double u, double v) { return list_keeps(&t->top, trim_test_point(t, u, v)); }
 
 /* No piece of a trim that meets r: then r is as its corner is. */
 static TrimClass list_class(const TrimList *l, TrimRect r)
@@ -43,7 +46,7 @@ static TrimClass list_class(const TrimList *l, TrimRect r)
     for (int i = trim_boxes_next(&l->boxes, r, 0); i >= 0; i = trim_boxes_next(&l->boxes, r, i + 1)) {
         const TrimNode *trim = l->trims[i];
         if (trim_chain_meets(&trim->chain, r)) return TRIM_MIXED;
-        if (trim_chain_winding(&trim->chain, vec2(r.u0, r.v0)) == 0) continue;
+        if (trim_chain_winding(&trim->chain, wide_point(vec2(r.u0, r.v0))) == 0) continue;
         TrimClass inner = list_class(&trim->inner, r);
         if (inner == TRIM_MIXED) return TRIM_MIXED;
         if ((inner == TRIM_KEPT) != l->keeps_outside) keeps = !l->keeps_outside;
@@ -53,8 +56,8 @@ static TrimClass list_class(const TrimList *l, TrimRect r)
 
 TrimClass trim_class(const TrimTree *t, TrimRect r)
 {
-    Vec2 lo = to_inner(t, r.u0, r.v0), hi = to_inner(t, r.u1, r.v1);
-    return list_class(&t->top, (TrimRect){ lo.x, hi.x, lo.y, hi.y });
+    WidePoint lo = trim_test_point(t, r.u0, r.v0), hi = trim_test_point(t, r.u1, r.v1);
+    return list_class(&t->top, (TrimRect){ lo.x.hi, hi.x.hi, lo.y.hi, hi.y.hi });
 }
 
 int trim_loop_count(const TrimTree *t) { return t->n_loops; }

@@ -27,11 +27,16 @@ struct TrimTree {
     TrimRect domain;
     TrimList top;
     int n_loops, n_pieces;
+    bool keep_left;              /* as TrimInput had it */
 };
 
 /* The domain's border is met by points a hair inside it, so that trims that run along the border let the border be. This is
- * how far inside, of the domain: rounding errors of u and v are smaller, and no trim has a vertex nearer to the border
- * without being on it (TRIM_SILENT). */
-#define TRIM_INSET 0x1p-40
+ * how far inside, of the domain: at the upper ends the least that a double can tell, at the lower ends so little that no curve
+ * is between, and enough that products do not underflow. */
+#define TRIM_INSET_LOW 0x1p-100
+#define TRIM_INSET_HIGH 0x1p-53
+
+/* The parameters as all tests take them: in the unit square, inset. */
+WidePoint trim_test_point(const TrimTree *t, double u, double v);
 
 #endif

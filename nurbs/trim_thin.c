@@ -5,7 +5,7 @@
 
 #include "nurbs/refine.h"
 #include "nurbs/trim_curve.h"
-#include "nurbs/trim_loop.h"
+#include "nurbs/trim_flat.h"
 #include "nurbs/trim_test.h"
 
 #include <stdlib.h>
@@ -167,8 +167,10 @@ static void add_loop(Thinning *t, const Point *p, int n, const bool *keep)
     ARENA_PUSH(t->scratch, t->loops, t->n_loops, t->loops_capacity) = loop;
 }
 
-static void thin_chain(Thinning *t, const TrimChain *c)
+static void thin_chain(Thinning *t, const TrimChain *exact)
 {
+    TrimChain flat = trim_chain_flatten(t->scratch, exact, TRIM_CHORD);
+    const TrimPath *c = &flat.path;
     const Surface *s = t->grid->s;
     TrimRect domain = { s->u0, s->u1, s->v0, s->v1 };
     Point *p = ARENA_ARRAY(t->scratch, Point, c->n + 1);
@@ -193,15 +195,12 @@ static void thin_list(Thinning *t, const TrimList *l)
     }
 }
 
-/* The rule that made the first trim keep or cut what it encloses. */
-static bool keeps_left(const TrimNode *n) { return (trim_signed_area(n->chain.p, n->chain.n) < 0) != n->is_region; }
-
 /* Should thinned loops cross more than trims may, the trims as they are must do. */
 static const TrimTree *thinned_tree(const Thinning *t)
 {
     const Surface *s = t->grid->s;
     NurbsError error;
-    TrimInput in = { .loops = t->loops, .n_loops = (int)t->n_loops, .keep_left = keeps_left(s->trims->top.trims[0]),
+    TrimInput in = { .loops = t->loops, .n_loops = (int)t->n_loops, .keep_left = s->trims->keep_left,
                      .domain = { s->u0, s->u1, s->v0, s->v1 } };
     const TrimTree *tree = trim_tree_new(t->arena, &in, &error, NULL, 0, NULL);
     return tree ? tree : s->trims;

@@ -6,7 +6,9 @@
 #include "nurbs/trim_tree.h"
 
 #include "nurbs/trim_cross.h"
+#include "nurbs/trim_flat.h"
 #include "nurbs/trim_loop.h"
+#include "nurbs/trim_pairs.h"
 #include "nurbs/trim_test.h"
 
 #include <stdlib.h>
@@ -16,6 +18,7 @@ typedef struct {
     TrimRect box;
     double area;             /* signed */
     int parent;              /* in Builder.trims; -1: none */
+    TrimChain *flat;         /* of straight pieces; NULL: not asked for yet */
 } Trim;
 
 typedef struct {
@@ -63,20 +66,39 @@ static bool judge(Builder *b, int trim, int other, TrimCrossing c)
 
 static bool keeps_what_it_encloses(const Builder *b, double area) { return (area < 0) != b->in->keep_left; }
 
-/* A trim that keeps what it encloses and encloses all says nothing: what lies in it decides without it. */
+/* What neither is a region nor a hole; or keeps what it encloses and encloses all: what lies in it decides without it. */
 static bool says_nothing(const Builder *b, const TrimLoop *l)
 {
-    return l->n == 0 || (keeps_what_it_encloses(b, l->area) && trim_loop_is_border(l));
+    return l->path.n == 0 || l->is_thin || (keeps_what_it_encloses(b, l->area) && trim_loop_is_border(l));
+}
+
+/* Crossings are looked for with polylines, where it is not plain that there are none. */
+static TrimCrossing self_crossing(Builder *b, const TrimChain *c, bool is_ccw)
+{
+    if (!c->path.arc) return trim_self_crossing(b->scratch, c, is_ccw);
+    if (trim_chains_are_apart(c, c, TRIM_CROSSING_SILENT / 4)) return (TrimCrossing){ 0 };
+    TrimChain flat = trim_chain_flatten(b->scratch, c, TRIM_CHORD);
+    return trim_self_crossing(b->scratch, &flat, is_ccw);
 }
 
 static bool add_trim(Builder *b, const TrimLoop *l)
 {
     TrimNode *node = ARENA_NEW(b->arena, TrimNode);
-    node->chain = trim_chain_make(b->arena, l->p, l->n);
+    node->chain = trim_chain_make(b->arena, &l->path);
     node->index = l->index;
     node->is_region = keeps_what_it_encloses(b, l->area);
-    b->trims[b->n++] = (Trim){ node, trim_chain_box(&node->chain), l->area, -1 };
-    return judge(b, l->index, l->index, trim_self_crossing(b->scratch, &node->chain, l->area > 0));
+    b->trims[b->n++] = (Trim){ node, trim_chain_box(&node->chain), l->area, -1, NULL };
+    return judge(b, l->index, l->index, self_crossing(b, &node->chain, l->area > 0));
+}
+
+/* A loop that goes round nothing says nothing, but for one whose parts cancel: whichever direction is taken for its own, some are
+ * wrong. */
+static bool check_thin(Builder *b, const TrimLoop *l)
+{
+    TrimChain chain = trim_chain_make(b->scratch, &l->path);
+    TrimCrossing as_ccw = self_crossing(b, &chain, true), as_cw = self_crossing(b, &chain, false);
+    TrimCrossing lesser = as_ccw.depth < as_cw.depth ? as_ccw : as_cw;
+    return lesser.depth <= TRIM_CROSSING || judge(b, l->index, l->index, lesser);
 }
 
 static bool read_trim(Builder *b, int index)
@@ -86,7 +108,7 @@ static bool read_trim(Builder *b, int index)
     if (!trim_loop_read(b->scratch, b->in, index, &l, b->error)) return false;
     if (l.bridged.value > 0) warn(b, NURBS_WARN_TRIM_BRIDGED, index, -1, l.bridged);
     if (l.clamped.value > 0) warn(b, NURBS_WARN_TRIM_CLAMPED, index, -1, l.clamped);
-    bool is_good = says_nothing(b, &l) || add_trim(b, &l);
+    bool is_good = says_nothing(b, &l) ? !l.is_thin || check_thin(b, &l) : add_trim(b, &l);
     arena_reset(b->scratch, mark);
     return is_good;
 }
@@ -134,11 +156,28 @@ static TrimBoxes boxes_of(Arena *a, const Trim *t, const int *which, int n)
 
 /* ---- containment ---- */
 
+static const TrimChain *flat_of(Builder *b, Trim *t)
+{
+    if (!t->node->chain.path.arc) return &t->node->chain;
+    if (!t->flat) {
+        t->flat = ARENA_NEW(b->scratch, TrimChain);
+        *t->flat = trim_chain_flatten(b->scratch, &t->node->chain, TRIM_CHORD);
+    }
+    return t->flat;
+}
+
+static TrimRelation relation_of(Builder *b, Trim *small, Trim *large)
+{
+    const TrimChain *s = &small->node->chain, *l = &large->node->chain;
+    if (!trim_chains_are_apart(s, l, 0)) return trim_relation(flat_of(b, small), flat_of(b, large));
+    return (TrimRelation){ .is_inside = trim_chain_winding(l, trim_vertex(&s->path, 0)) != 0 };
+}
+
 /* i has the lesser area. */
 static bool relate(Builder *b, int i, int j)
 {
     Trim *small = &b->trims[i], *large = &b->trims[j];
-    TrimRelation r = trim_relation(&small->node->chain, &large->node->chain);
+    TrimRelation r = relation_of(b, small, large);
     if (!judge(b, small->node->index, large->node->index, r.crossing)) return false;
     if (r.is_inside && (small->parent < 0 || fabs(large->area) < fabs(b->trims[small->parent].area))) small->parent = j;
     return true;
@@ -165,7 +204,7 @@ static bool check_directions(Builder *b, const TrimList *l)
         const TrimNode *s = l->trims[0], *t = l->trims[i];
         if (s->is_region == t->is_region) continue;
         return refuse(b, NURBS_TRIMS_CONFLICT, s->index < t->index ? s->index : t->index,
-                      s->index < t->index ? t->index : s->index, t->chain.p[0], 0);
+                      s->index < t->index ? t->index : s->index, t->chain.path.p[0], 0);
     }
     return true;
 }
@@ -211,8 +250,8 @@ static TrimTree *build(Builder *b)
     sort_in_plane(b->trims, b->n, true);
     b->boxes = boxes_of(b->scratch, b->trims, NULL, b->n);
     TrimTree *t = ARENA_NEW(b->arena, TrimTree);
-    t->domain = b->in->domain, t->n_loops = b->n;
-    for (int i = 0; i < b->n; i++) t->n_pieces += b->trims[i].node->chain.n;
+    t->domain = b->in->domain, t->keep_left = b->in->keep_left, t->n_loops = b->n;
+    for (int i = 0; i < b->n; i++) t->n_pieces += b->trims[i].node->chain.path.n;
     return find_parents(b) && fill_lists(b, &t->top) ? t : NULL;
 }
 

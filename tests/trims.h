@@ -31,19 +31,25 @@ static inline TrimLoopDesc rectangle(Arena *a, double u0, double u1, double v0, 
     return loop_of(a, is_clockwise ? cw : ccw, 4);
 }
 
-/* A circle as the usual rational B-spline of order 3 with nine points (one closed curve). */
-static inline TrimLoopDesc circle(Arena *a, Vec2 centre, double radius, bool is_clockwise)
+/* A circle as the usual rational B-spline of order 3 with nine points (one closed curve), its first point turned. */
+static inline TrimLoopDesc turned_circle(Arena *a, Vec2 centre, double radius, double angle, bool is_clockwise)
 {
     static const double knots[12] = { 0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4 };
     static const double x[9] = { 1, 1, 0, -1, -1, -1, 0, 1, 1 }, y[9] = { 0, 1, 1, 1, 0, -1, -1, -1, 0 };
     Vec3 *points = ARENA_ARRAY(a, Vec3, 9);
     for (int i = 0; i < 9; i++) {
         int j = is_clockwise ? 8 - i : i;
-        points[i] = vec(centre.x + radius * x[j], centre.y + radius * y[j], i % 2 ? sqrt(.5) : 1);
+        Vec2 p = turned(vec2(centre.x + radius * x[j], centre.y + radius * y[j]), angle, centre);
+        points[i] = vec(p.x, p.y, i % 2 ? sqrt(.5) : 1);
     }
     TrimCurveDesc *c = ARENA_NEW(a, TrimCurveDesc);
     *c = (TrimCurveDesc){ .order = 3, .n = 9, .knots = knots, .points = points };
     return (TrimLoopDesc){ .curves = c, .n_curves = 1 };
+}
+
+static inline TrimLoopDesc circle(Arena *a, Vec2 centre, double radius, bool is_clockwise)
+{
+    return turned_circle(a, centre, radius, 0, is_clockwise);
 }
 
 /* What trim_tree_new said. */

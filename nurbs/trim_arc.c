@@ -110,8 +110,10 @@ int trim_segment_turns(const TrimSegment *s, double t[])
 void trim_arc_control(const TrimArc *arc, Vec4 out[])
 {
     const TrimSegment *s = arc->segment;
-    for (int i = 0; i < s->k; i++) out[i] = vec4(s->p[i].x.hi, s->p[i].y.hi, 0, s->p[i].w.hi);
-    bezier_restrict(s->k, 1, arc->t0, arc->t1, out);
+    Vec4 whole[NURBS_MAX_ORDER];
+    for (int i = 0; i < s->k; i++) whole[i] = vec4(s->p[i].x.hi, s->p[i].y.hi, 0, s->p[i].w.hi);
+    bezier_cut(s->k, 1, arc->t1, whole, out);            /* before t1 is in out, and of that */
+    bezier_cut(s->k, 1, arc->t0 / arc->t1, out, whole);  /* what is after t0 */
 }
 
 TrimArc trim_arc_make(const TrimSegment *s, double t0, double t1)

@@ -275,6 +275,7 @@ static void an_inverse_union_has_no_surfaces_within(void **state)
     assert_true(shape_inside(inverse, vec(-3, 0, 0)) && !shape_inside(inverse, vec(.5, 0, 0)));
     hits = hits_of(shape_inverse(arena, inverse), &r);
     assert_true(hits.n == 2);
+    shape_release(both);
 }
 
 /* More placements than a hit can list are distributed over the parts, clips and inverses included. */

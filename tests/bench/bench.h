@@ -61,6 +61,7 @@ typedef struct {
     double prep_seconds, mesh_seconds;   /* building; making the mesh that is built from */
     size_t held, peak;           /* bytes, after and during preparation; without the mesh that was given */
     size_t n_triangles;          /* 0: no mesh */
+    size_t n_leaves;             /* of trimray's own tree */
     Counters counters;           /* since it was built or measured */
 } EngineCost;
 

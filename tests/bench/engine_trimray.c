@@ -31,13 +31,17 @@ static void trimray_shoot(Engine *engine, const RaySet *set, size_t stride, doub
     engine->cost.counters = e->trace.counters;
 }
 
-/* What two readings of the clock one after the other are apart. */
+/* What two readings of the clock one after the other are apart: the best of some averages. */
 static double clock_seconds(void)
 {
-    enum { READINGS = 20000 };
-    double sum = 0;
-    for (int i = 0; i < READINGS; i++) sum -= stats_now(), sum += stats_now();
-    return sum / READINGS;
+    enum { READINGS = 1000, AVERAGES = 20 };
+    double best = INFINITY;
+    for (int k = 0; k < AVERAGES; k++) {
+        double sum = 0;
+        for (int i = 0; i < READINGS; i++) sum -= stats_now(), sum += stats_now();
+        best = double_min(best, sum / READINGS);
+    }
+    return best;
 }
 
 static double trimray_test_seconds(Engine *engine, const RaySet *set, size_t stride, double *t)
@@ -78,7 +82,16 @@ static bool make_parts(Trimray *e, const EngineInput *in)
     return true;
 }
 
-Engine *engine_trimray(const EngineInput *in)
+static size_t count_leaves(const Trimray *e)
+{
+    size_t n = 0;
+    NurbsInfo info;
+    for (int i = 0; i < e->n; i++)
+        if (nurbs_shape_info(e->parts[i], &info)) n += (size_t)info.n_leaves;
+    return n;
+}
+
+static Trimray *build(const EngineInput *in)
 {
     Trimray *e = calloc(1, sizeof *e);
     size_t before = memory_now();
@@ -94,7 +107,23 @@ Engine *engine_trimray(const EngineInput *in)
     e->whole = e->n == 1 ? e->parts[0] : union_new(e->arena, e->parts, (uint32_t)e->n);
     shape_prepare(e->whole, &e->trace);
     for (int i = 0; i < e->n; i++) shape_prepare(e->parts[i], &e->trace);
-    e->engine.cost.prep_seconds = processor_now() - begin;
-    e->engine.cost.held = memory_now() - before, e->engine.cost.peak = memory_peak() - before;
+    EngineCost *cost = &e->engine.cost;
+    cost->prep_seconds = processor_now() - begin;
+    cost->held = memory_now() - before, cost->peak = memory_peak() - before;
+    cost->n_leaves = count_leaves(e);
+    return e;
+}
+
+Engine *engine_trimray(const EngineInput *in)
+{
+    Trimray *e = build(in);
+    if (!e) return NULL;
+    double best = e->engine.cost.prep_seconds;
+    for (int i = 0; i < 4 && best < 0.1; i++) {   /* what is short is built again: the first time pays for new pages */
+        Trimray *again = build(in);
+        best = double_min(best, again->engine.cost.prep_seconds);
+        trimray_release(&again->engine);
+    }
+    e->engine.cost.prep_seconds = best;
     return &e->engine;
 }

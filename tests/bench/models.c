@@ -137,7 +137,15 @@ static bool model_order8(Arena *a, Model *m)
     return true;
 }
 
-/* One Bézier patch each, no two alike; the whole is as large whatever their number, and as rough in proportion. */
+/* A bicubic patch each, no two alike, side by side on the same hills: the whole is as large, and is hit by as many rays, however many
+ * they are. */
+static Vec4 *hilly_net(Arena *a, TestRandom *r, Vec3 at, double side)
+{
+    Vec4 *p = bumpy_net(a, r, 4, at, side, 0.3 * side);
+    for (int i = 0; i < 16; i++) p[i].y += sin(0.9 * p[i].x) * cos(0.7 * p[i].z) + test_range(r, 0, 0.05 * side);
+    return p;
+}
+
 static bool model_field(Arena *a, Model *m, long n)
 {
     long rows = lround(sqrt((double)n));
@@ -147,9 +155,7 @@ static bool model_field(Arena *a, Model *m, long n)
     double side = 10. / (double)rows;
     for (long k = 0; k < n; k++) {
         Vec3 at = vec(((double)(k % rows) + 0.5) * side, 0, ((double)(k / rows) + 0.5) * side);
-        Vec4 *p = bumpy_net(a, &r, 4, at, side, side);
-        for (int i = 0; i < 16; i++) p[i].y += test_range(&r, 0, 0.2 * side);
-        s[k] = surface_of(a, 4, 4, p);
+        s[k] = surface_of(a, 4, 4, hilly_net(a, &r, at, side));
     }
     m->surfaces = s, m->n = (int)n;
     return true;

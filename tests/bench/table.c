@@ -5,11 +5,12 @@
 
 void print_preparation(const Bench *b)
 {
-    printf("| engine | triangles | mesh, s | preparation, s | held, MB | peak, MB |\n|---|---:|---:|---:|---:|---:|\n");
+    printf("| engine | leaves or triangles | mesh, s | preparation, s | held, MB | peak, MB |\n|---|---:|---:|---:|---:|---:|\n");
     for (int i = 0; i < b->n_engines; i++) {
         const EngineCost *c = &b->list[i].engine->cost;
         printf("| %s | ", b->list[i].name);
         if (c->n_triangles) printf("%zu | %.3f | ", c->n_triangles, c->mesh_seconds);
+        else if (c->n_leaves) printf("%zu | | ", c->n_leaves);
         else printf("| | ");
         printf("%.5f | %.3f | %.3f |\n", c->prep_seconds, (double)c->held * 1e-6, (double)c->peak * 1e-6);
     }

@@ -22,6 +22,12 @@ static Value item_finish(Parser *p)
 
 static Value item_interior(Parser *p) { return (Value){ .kind = VALUE_INTERIOR, .interior = parse_interior(p) }; }
 
+static Value item_material(Parser *p)
+{
+    Material m = parse_material(p);
+    return (Value){ .kind = VALUE_MATERIAL, .material = arena_copy(parser_arena(p), &m, 1, sizeof m) };
+}
+
 static Value item_camera(Parser *p)
 {
     CameraDesc *c = ARENA_NEW(parser_arena(p), CameraDesc);
@@ -66,6 +72,7 @@ static const struct {
     Value (*read)(Parser *p);
 } items[] = {
     { "texture", item_texture }, { "pigment", item_pigment }, { "finish", item_finish }, { "interior", item_interior },
+    { "material", item_material },
     { "camera", item_camera }, { "light_source", item_light }, { "color_map", item_color_map },
     { "colour_map", item_color_map }, { "pigment_map", item_pigment_map }, { "texture_map", item_texture_map },
     { "sky_sphere", item_sky_sphere },

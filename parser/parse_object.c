@@ -74,11 +74,24 @@ static void set_texture(Object *o, const Texture *t)
 }
 
 /* A texture on a texture is a layer on top of it (povray-facts section 7). */
+static void add_texture(Parser *p, Object *o, const Texture *t)
+{
+    set_texture(o, o->texture ? texture_layered(p, texture_in_place(p, o), t) : t);
+}
+
 static void modify_texture(Parser *p, Object *o, Place where)
 {
     (void)where;
-    const Texture *t = parse_texture(p);
-    set_texture(o, o->texture ? texture_layered(p, texture_in_place(p, o), t) : t);
+    add_texture(p, o, parse_texture(p));
+}
+
+static void modify_material(Parser *p, Object *o, Place where)
+{
+    (void)where;
+    Material m = parse_material(p);
+    if (m.texture) add_texture(p, o, m.texture);
+    if (m.interior_texture) o->interior_texture = m.interior_texture;
+    if (m.interior) o->interior = m.interior;
 }
 
 static void modify_pigment(Parser *p, Object *o, Place where)
@@ -165,7 +178,7 @@ static const struct {
     const char *word;
     void (*read)(Parser *p, Object *o, Place where);
 } modifiers[] = {
-    { "texture", modify_texture }, { "pigment", modify_pigment }, { "finish", modify_finish },
+    { "texture", modify_texture }, { "material", modify_material }, { "pigment", modify_pigment }, { "finish", modify_finish },
     { "interior", modify_interior }, { "interior_texture", modify_interior_texture },
     { "uv_mapping", modify_uv_mapping }, { "no_shadow", modify_no_shadow }, { "no_image", modify_no_image },
     { "no_reflection", modify_no_reflection }, { "inverse", modify_inverse }, { "hollow", modify_hollow },

@@ -55,6 +55,8 @@ const PigmentEntry *parse_pigment_map(Parser *p, int *n);
 
 /* parse_image.c: after the word */
 const ImageMap *parse_image_map(Parser *p);
+/* parse_material.c: after the word */
+Material parse_material(Parser *p);
 /* parse_finish.c */
 Finish parse_finish_from(Parser *p, Finish base);
 

@@ -12,7 +12,7 @@
 typedef enum {
     VALUE_NONE,
     VALUE_FLOAT, VALUE_VECTOR, VALUE_COLOR, VALUE_STRING, VALUE_ARRAY,
-    VALUE_OBJECT, VALUE_TEXTURE, VALUE_PIGMENT, VALUE_FINISH, VALUE_INTERIOR, VALUE_TRANSFORM, VALUE_CAMERA, VALUE_LIGHT,
+    VALUE_OBJECT, VALUE_TEXTURE, VALUE_PIGMENT, VALUE_FINISH, VALUE_INTERIOR, VALUE_MATERIAL, VALUE_TRANSFORM, VALUE_CAMERA, VALUE_LIGHT,
     VALUE_COLOR_MAP, VALUE_PIGMENT_MAP, VALUE_TEXTURE_MAP, VALUE_SKY_SPHERE, VALUE_FOG,
     VALUE_MACRO,
     VALUE_UNSUPPORTED      /* declared, with something that is not supported: an error where it is used */
@@ -20,6 +20,8 @@ typedef enum {
 
 typedef struct Array Array;
 typedef struct Macro Macro;
+
+typedef struct { const Texture *texture, *interior_texture; const Interior *interior; } Material;   /* each may be NULL */
 
 typedef struct {
     ValueKind kind;
@@ -35,6 +37,7 @@ typedef struct {
         const Pigment *pigment;
         const Finish *finish;
         const Interior *interior;
+        const Material *material;
         const Xform *xform;
         const CameraDesc *camera;
         const Light *light;

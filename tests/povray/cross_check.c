@@ -37,6 +37,7 @@ typedef struct {
     double largest;              /* of all channels of all pixels, in steps of 1/255 */
     double share;                /* percent of the pixels that differ by more than one step */
     const char *failure;         /* NULL: both made a picture */
+    const char *left_out;        /* what trimray says that it left out; may be empty */
 } Outcome;
 
 typedef struct { const char *trimray, *work; bool is_survey; Arena *arena; int n_agree, n_differ, n_not_read; } Check;
@@ -114,7 +115,24 @@ static int status_of(pid_t child)
     return status;
 }
 
-/* The first error that trimray reports; its line's number is left out if it is long. */
+/* What trimray said that it left out, between quotes: it may be why the pictures differ. */
+static const char *left_out(const Check *k, const char *log)
+{
+    char *line = NULL, *found = arena_strdup(k->arena, "");
+    size_t size = 0;
+    FILE *f = fopen(log, "r");
+    while (f && getline(&line, &size, f) > 0) {
+        const char *word = strchr(line, '\'');
+        if (!strstr(line, "is read and left out") || !word) continue;
+        int length = (int)strcspn(word + 1, "'");
+        found = arena_printf(k->arena, "%s %.*s", *found ? found : "left out:", length, word + 1);
+    }
+    free(line);
+    if (f) fclose(f);
+    return found;
+}
+
+/* The first error that trimray reports. */
 static const char *first_error(const Check *k, const char *log)
 {
     char *line = NULL;
@@ -189,6 +207,7 @@ static Outcome run_both(const Check *k, const Case *c, bool *is_read)
         return out;
     }
     compare(k->arena, expected, found, &out);
+    out.left_out = left_out(k, said);
     return out;
 }
 
@@ -199,8 +218,9 @@ static void print_row(Check *k, const Case *c, const Outcome *o, bool is_read)
     const char *name = k->is_survey ? c->path : c->file;
     bool agrees = !o->failure && o->share <= c->allowance;
     k->n_agree += agrees, k->n_differ += is_read && !agrees, k->n_not_read += !is_read;
+    const char *note = c->reason ? c->reason : agrees || o->failure ? "" : o->left_out;
     if (o->failure) printf("| %s | | | %s |\n", name, o->failure);
-    else printf("| %s | %.1f | %.3f %% | %s%s |\n", name, o->largest, o->share, agrees ? "" : "DIFFERS ", c->reason ? c->reason : "");
+    else printf("| %s | %.1f | %.3f %% | %s%s |\n", name, o->largest, o->share, agrees ? "" : "DIFFERS ", note);
     fflush(stdout);
 }
 

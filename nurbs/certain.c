@@ -8,10 +8,7 @@
 #include <float.h>
 #include <stdlib.h>
 
-/* A patch is halved until its derivatives vary by less than this share of themselves: then the certificate holds for all rays
- * but those within some asin(0.35) of its tangent planes. Halving divides the variation by about two. */
-#define VARIATION_WANTED 0.35
-/* What bends forever (a pole, a cusp) is left to clip.c, which refines along the ray alone. */
+/* Halving divides the variation of the derivatives by about two. What bends forever (a pole, a cusp) is left to clip.c, which refines along the ray alone. */
 #define MAX_HALVINGS 8
 
 /* ---- preparation ---- */
@@ -21,6 +18,7 @@
 typedef struct {
     const Surface *s;                /* its points about the tree's base */
     double rounding;                 /* of the patches' points */
+    double variation;                /* that patches may have */
     Arena *own, *lists;
     Patch *patches;
     bool *needs_trim_test;
@@ -70,7 +68,7 @@ static bool grow_patch(Preparation *k, uint32_t at, Vec4 *points, TrimRect r, Ha
     if (class == TRIM_CUT) return false;
     PatchBend bend = patch_bend(s->k_u, s->k_v, points);
     bool along_u = bend.along_u >= bend.along_v ? left.u > 0 : left.v == 0;
-    if (!(bend.variation > VARIATION_WANTED) || (left.u == 0 && left.v == 0)) {
+    if (!(bend.variation > k->variation) || (left.u == 0 && left.v == 0)) {
         keep_patch(k, at, points, r, class == TRIM_MIXED);
         return true;
     }
@@ -137,9 +135,10 @@ static double rounding_of_patches(const Surface *s)
     return 0.5 * DBL_EPSILON * (s->k_u + s->k_v + 8) * s->size;
 }
 
-void certain_prepare(Arena *a, const Surface *surface, PatchTree *out)
+void certain_prepare(Arena *a, const Surface *surface, double variation, PatchTree *out)
 {
     Preparation k = { .own = a, .lists = arena_new(), .rounding = rounding_of_patches(surface) };
+    k.variation = variation > 0 ? variation : CERTAIN_VARIATION;
     Vec3 base = box_centre(surface->box);
     Surface about_base = *surface, *s = &about_base;
     about_base.p = points_about(k.lists, surface, base);

@@ -15,9 +15,13 @@ typedef struct {
     uint32_t n_cut, n_untested;      /* dropped because trimmed away; kept without a trim test on a trimmed surface */
 } PatchTree;
 
-/* Cuts the surface into patches whose frames settle most rays, drops those that are trimmed away, and builds the tree. The
- * result lies in `a`. Linear in the number of spans. */
-void certain_prepare(Arena *a, const Surface *surface, PatchTree *out);
+/* The certificate then holds for all rays but those within some asin(0.35) of the patch's tangent planes. */
+#define CERTAIN_VARIATION 0.35
+
+/* Cuts the surface into patches whose frames settle most rays, drops those that are trimmed away, and builds the tree. A patch
+ * is halved until its derivatives vary by at most `variation` of themselves; 0: CERTAIN_VARIATION. Hits depend on it in their
+ * last bits only, time and memory do. The result lies in `a`. Linear in the number of spans. */
+void certain_prepare(Arena *a, const Surface *surface, double variation, PatchTree *out);
 
 typedef struct {
     double u, v;                     /* parameters of the surface */

@@ -36,7 +36,7 @@ static void certain_shape_prepare(Shape *s, Arena *own, Trace *t)
     NurbsShape *n = (NurbsShape *)s;
     double begin = stats_now();
     (void)t;
-    certain_prepare(own, n->surface, &n->patches);
+    certain_prepare(own, n->surface, n->options.leaf_variation, &n->patches);
     n->prep_seconds = stats_now() - begin;
 }
 

@@ -20,6 +20,9 @@
 
 enum { MAX_BOXES = 20000 };      /* a ray in the surface: what is left then is a cluster */
 #define MIN_WIDTH 0x1p-45        /* of a patch */
+/* Where the band is as wide as the sagitta of a chord, that is sqrt(8 band R) long: boxes are split to this share of
+ * that, with the size of the patch for the radius R. */
+#define ENOUGH 0x1p-6
 
 /* ---- nets in double ---- */
 
@@ -144,6 +147,25 @@ static Box halve(const Oracle *o, Box *b, int axis)
     return right;
 }
 
+/* How far apart the control points of a box are, in space: a bound for the box. */
+static double size_of(const Search *k, const Rounded *r)
+{
+    int n = k->o->n;
+    Range x[3] = { range_empty, range_empty, range_empty };
+    for (int i = 0; i < n; i++)
+        for (int m = 0; m < 3; m++) x[m] = range_add(x[m], r->c[m * n + i] / r->c[W * n + i]);
+    return hypot(hypot(x[A].hi - x[A].lo, x[B].hi - x[B].lo), (x[T].hi - x[T].lo) * k->speed);
+}
+
+/* Within the band all over, or no longer than where the band's tangents end: splitting it tells no more. */
+static bool is_enough(const Search *k, const Rounded *r)
+{
+    bool is_in = k->band > 0;
+    for (int i = 0; i < k->o->n && is_in; i++)
+        is_in = fmax(fabs(r->c[i]), fabs(r->c[k->o->n + i])) <= k->band * r->c[W * k->o->n + i];
+    return is_in || (k->band > 0 && size_of(k, r) <= k->enough);
+}
+
 static void search_box(Search *k, Box b, double *room)
 {
     Rounded r;
@@ -152,7 +174,7 @@ static void search_box(Search *k, Box b, double *room)
     Area a = area_of(k->o, &b);
     bool is_done = is_excluded(k, &r, &m) || is_covered(k, &a);
     if (!is_done && is_promising(k->o, &r, &m)) is_done = oracle_certify(k, &a);
-    int axis = is_done ? -1 : axis_to_split(k, &b, &r);
+    int axis = is_done || is_enough(k, &r) ? -1 : axis_to_split(k, &b, &r);
     if (!is_done && (axis < 0 || ++k->n_boxes > MAX_BOXES)) keep_cluster(k, &a, &r), is_done = true;
     if (!is_done) {
         Box right = halve(k->o, &b, axis);
@@ -213,7 +235,10 @@ int oracle_roots(const Oracle *o, const Ray *r, double band, OracleRoot *out, in
     double *room = calloc((size_t)(NETS * o->n), sizeof *room);
     for (int i = 0; i < o->spans[0] * o->spans[1]; i++) {
         Box b = { i, { 0, 0 }, { 1, 1 }, _arb_vec_init(NETS * o->n) };
+        Rounded whole;
         _arb_vec_set(b.net, oracle_net_of(&k, i), NETS * o->n);
+        oracle_round_net(o, b.net, room, &whole);
+        k.enough = sqrt(band * size_of(&k, &whole)) * ENOUGH;
         search_box(&k, b, room);
     }
     free(room);

@@ -17,7 +17,8 @@ void oracle_free(Oracle *o);
  *
  * A root is proved to exist and to be alone in a box about it (Krawczyk's test), and is refined to 1e-30. A cluster is a
  * part of the parameter plane that no test excludes and in which none proves a single root, though it was split down to
- * 2^-45 of a patch: a tangency, a pole that is met, a ray in the surface. There may be roots in it or not. */
+ * 2^-45 of a patch (or to what a band leaves to tell): a tangency, a pole that is met, a ray in the surface. There may be
+ * roots in it or not. */
 typedef struct {
     bool is_cluster;
     double u, v;                         /* the root, rounded; of a cluster some point */

@@ -22,6 +22,8 @@ typedef struct { Area alone; OracleRoot root; bool counts; } Found;
 typedef struct {
     const Oracle *o;
     double band;
+    double speed;            /* |d|: how much longer the ray is than t */
+    double enough;           /* boxes of that size are not split, if there is a band */
     arb_ptr rows;            /* n1, n2 and d / d.d: the rows that make nets of patches */
     arb_ptr origin;
     arb_ptr *net;            /* of each span, NETS * n, or NULL: not needed yet */

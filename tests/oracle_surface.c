@@ -108,7 +108,7 @@ static void divide_by_length(arb_ptr a, bool twice)
 void oracle_begin_search(Search *k, const Oracle *o, const Ray *r, double band)
 {
     const double d[3] = { r->dir.x, r->dir.y, r->dir.z }, origin[3] = { r->origin.x, r->origin.y, r->origin.z };
-    *k = (Search){ .o = o, .band = band, .rows = _arb_vec_init(9), .origin = _arb_vec_init(3) };
+    *k = (Search){ .o = o, .band = band, .speed = vec_length(r->dir), .rows = _arb_vec_init(9), .origin = _arb_vec_init(3) };
     k->net = calloc((size_t)o->spans[0] * (size_t)o->spans[1], sizeof *k->net);
     int least = fabs(d[0]) <= fabs(d[1]) && fabs(d[0]) <= fabs(d[2]) ? 0 : fabs(d[1]) <= fabs(d[2]) ? 1 : 2;
     arb_ptr e = _arb_vec_init(3);

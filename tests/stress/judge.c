@@ -19,19 +19,26 @@ static int first_sure(const Truth *truth, const Ray *r, long double slack)
     return i;
 }
 
-/* Which root the hit may be, in order up to the first sure one; -1: none. */
+/* May root i come before the first sure one, or be it? (Clusters overlap others.) */
+static bool is_before(const Truth *truth, int first, int i)
+{
+    return i <= first || (first < truth->n && truth->root[i].lo <= truth->root[first].hi);
+}
+
+/* Which root the hit may be, the first sure one or one before it; -1: none. */
 static int root_of(const Truth *truth, int first, long double t, long double slack)
 {
-    for (int i = 0; i <= first && i < truth->n; i++)
-        if (truth->root[i].lo - slack <= t && t <= truth->root[i].hi + slack) return i;
-    return -1;
+    int found = -1;
+    for (int i = 0; i < truth->n && is_before(truth, first, i); i++)
+        if (truth->root[i].lo - slack <= t && t <= truth->root[i].hi + slack) found = found == first && i != first ? found : i;
+    return found;
 }
 
 /* Is there a root after t_min that may or may not be met, before the first sure one? */
 static bool is_open(const Truth *truth, int first, const Ray *r, long double slack)
 {
-    for (int i = 0; i < first; i++)
-        if (truth->root[i].hi + slack > r->t_min) return true;
+    for (int i = 0; i < truth->n; i++)
+        if (i != first && is_before(truth, first, i) && truth->root[i].hi + slack > r->t_min) return true;
     return false;
 }
 
@@ -72,7 +79,7 @@ Verdict judge_ray(const Model *m, int method, const Ray *r, const Truth *truth, 
     row->seconds += seconds, row->slowest = fmax(row->slowest, seconds);
     row->tests += trace->counters.nurbs_tests - before.nurbs_tests;
     row->fallbacks += trace->counters.fallbacks - before.fallbacks;
-    Verdict v = { judge(truth, r, is_hit, hit.t, row), is_hit, hit.t, hit.u, hit.v };
+    Verdict v = { judge(truth, r, is_hit, hit.t, row), is_hit, hit.t, hit.u, hit.v, seconds };
     if (v.judgement <= JUDGED_IN_BAND) {   /* `blocks` knows no more than that there is one */
         Row ignored = { 0 };
         bool blocks = shape_blocks(s, r, INFINITY, trace);
@@ -96,8 +103,8 @@ static void report_numbers(FILE *to, const char *name, const double *x, int n)
 void judge_report(FILE *to, const Model *m, const Ray *r, const Truth *truth, Verdict v)
 {
     const SurfaceDesc *d = &m->desc;
-    fprintf(to, "/* %s: %s; t %.17g at (%.17g, %.17g)\n", m->at.form.name, judgement_name[v.judgement],
-            v.is_hit ? v.t : INFINITY, v.u, v.v);
+    fprintf(to, "/* %s: %s; t %.17g at (%.17g, %.17g), %.0f us\n", m->at.form.name, judgement_name[v.judgement],
+            v.is_hit ? v.t : INFINITY, v.u, v.v, 1e6 * v.seconds);
     fprintf(to, "   the truth (errors relative to %.3Lg; band %.3g, %d trims):\n", truth->length, truth_band(&m->at, r),
             d->n_trims);
     for (int i = 0; i < truth->n; i++) {

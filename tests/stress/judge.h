@@ -21,7 +21,7 @@ void row_add(Row *to, const Row *from);
 typedef enum { JUDGED_RIGHT, JUDGED_IN_BAND, JUDGED_MISSED, JUDGED_FALSE, JUDGED_INEXACT } Judgement;
 extern const char *const judgement_name[];
 
-typedef struct { Judgement judgement; bool is_hit; double t, u, v; } Verdict;
+typedef struct { Judgement judgement; bool is_hit; double t, u, v, seconds; } Verdict;
 
 /* Counts into row. */
 Verdict judge_ray(const Model *m, int method, const Ray *r, const Truth *truth, Trace *trace, Row *row);

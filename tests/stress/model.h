@@ -18,6 +18,7 @@ struct Model {
     SurfaceDesc desc;
     Shape *shape[N_METHODS];
     void (*truth)(const Model *m, const Ray *r, Truth *out);   /* NULL: by the form */
+    void (*release)(Model *m);                                 /* NULL: nothing of its own */
     const void *own;         /* of the family */
 };
 

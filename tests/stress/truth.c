@@ -43,6 +43,11 @@ static Quad leave_band(const Line *l, Quad s, Quad step)
     return s + outside;
 }
 
+long double truth_length(const FormInWorld *f, const Ray *r)
+{
+    return (long double)((f->extent + vec_max_abs(r->origin)) / quad3_length(quad3_of(r->dir)));
+}
+
 double truth_band(const FormInWorld *f, const Ray *r)
 {
     double size = f->extent + fabs(r->origin.x) + fabs(r->origin.y) + fabs(r->origin.z);
@@ -132,12 +137,12 @@ static void find_events(const Line *l, Quad t_centre, Quad t_unit, Truth *out)
 void truth_of_form(const FormInWorld *f, const Ray *r, Truth *out)
 {
     Quad3 o = quad_map_point(&f->to_local, quad3_of(r->origin)), d = quad_map_vector(&f->to_local, quad3_of(r->dir));
-    Quad unit = quad3_length(d), world = quad3_length(quad3_of(r->dir));
+    Quad unit = quad3_length(d);
     Line l = { .f = f, .dir = quad3_scale(d, 1 / unit), .band = truth_band(f, r) };
     Quad centre = -quad3_dot(o, l.dir);
     l.at = quad3_add(o, quad3_scale(l.dir, centre));
     out->n = 0;
-    out->length = (long double)((f->extent + vec_max_abs(r->origin)) / world);
+    out->length = truth_length(f, r);
     if (quad3_length(l.at) > REACH) return;
     l.g = f->form.along(&f->form, poly_line(l.at.x, l.dir.x), poly_line(l.at.y, l.dir.y), poly_line(l.at.z, l.dir.z));
     l.slope = poly_derivative(l.g);

@@ -47,6 +47,7 @@ typedef struct {
     const void *kept_context;
 } FormInWorld;
 
+long double truth_length(const FormInWorld *f, const Ray *r);   /* Truth.length */
 double truth_band(const FormInWorld *f, const Ray *r);
 
 /* All that the ray's line meets, whatever its t_min. */

@@ -108,12 +108,6 @@ const SkySphere *parse_sky_sphere(Parser *p)
     return arena_copy(parser_arena(p), &sky, 1, sizeof sky);
 }
 
-typedef struct {
-    Fog fog;
-    Vec3 up;
-    Token up_word;
-} FogDraft;
-
 static void read_fog_type(Parser *p, Fog *f)
 {
     Place where = here(p);
@@ -121,38 +115,34 @@ static void read_fog_type(Parser *p, Fog *f)
     if (f->type != 1 && f->type != 2) parse_fail(p, where, "expected a fog_type of 1 or 2, found %d", f->type);
 }
 
-static bool read_fog_item(Parser *p, FogDraft *d)
+static void read_fog_up(Parser *p, Fog *f)
 {
-    Fog *f = &d->fog;
-    Token t = peek(p);
+    Place where = here(p);
+    f->up = vec_normalize(parse_vec3(p));
+    if (vec_max_abs(f->up) == 0) parse_error(p, where, "'up' of a fog is 0");
+}
+
+static bool read_fog_item(Parser *p, Fog *f)
+{
     if (accept_word(p, "fog_type")) read_fog_type(p, f);
     else if (accept_word(p, "distance")) f->distance = parse_float(p);
     else if (accept_word(p, "fog_offset")) f->offset = parse_float(p);
     else if (accept_word(p, "fog_alt")) f->altitude = parse_float(p);
-    else if (accept_word(p, "up")) d->up = parse_vec3(p), d->up_word = t;
+    else if (accept_word(p, "up")) read_fog_up(p, f);
     else if (starts_expression(p)) f->color = parse_color(p);
     else return false;
     return true;
 }
 
-/* Ground fog lies along y here; `up` means nothing to fog that is the same everywhere. */
-static void check_up(Parser *p, FogDraft *d)
-{
-    if (d->fog.type == 1 || (d->up.x == 0 && d->up.y > 0 && d->up.z == 0)) return;
-    d->up_word.text = "ground fog that does not lie along y";
-    parse_fail_unsupported(p, d->up_word);
-}
-
 const Fog *parse_fog(Parser *p)
 {
     Place opened = expect_open(p, "fog");
-    FogDraft d = { .fog = { .type = 1 }, .up = vec(0, 1, 0) };
+    Fog fog = { .type = 1, .up = vec(0, 1, 0) };
     Value v;
-    if (accept_value(p, VALUE_FOG, &v)) d.fog = *v.fog;
-    while (read_fog_item(p, &d)) continue;
+    if (accept_value(p, VALUE_FOG, &v)) fog = *v.fog;
+    while (read_fog_item(p, &fog)) continue;
     expect_close(p, '}', "fog", opened);
-    check_up(p, &d);
-    return arena_copy(parser_arena(p), &d.fog, 1, sizeof d.fog);
+    return arena_copy(parser_arena(p), &fog, 1, sizeof fog);
 }
 
 /* ---- what is not given ---- */

@@ -19,6 +19,7 @@ typedef struct {                                  /* the last pigment is the nea
 typedef struct {
     int type;                                     /* 1 constant, 2 ground */
     double distance, offset, altitude;
+    Vec3 up;                                      /* unit: the direction in which ground fog thins out */
     Color color;
 } Fog;
 

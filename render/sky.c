@@ -22,6 +22,7 @@ Pixel sky_color(const Scene *s, Vec3 unit_dir)
 /* Ground fog thins out above its offset as 1 / (h^2 + 1) and is constant below: an antiderivative of that. */
 static double fog_below(double h) { return h > 0 ? atan(h) : h; }
 
+/* y: along the fog's `up`. */
 static double ground_fog_share(const Fog *f, double y1, double y2)
 {
     double h1 = (y1 - f->offset) / f->altitude, h2 = (y2 - f->offset) / f->altitude;
@@ -35,11 +36,12 @@ Pixel sky_through_fog(const Scene *s, const Ray *r, double t, Pixel seen)
 {
     static const double SKY_DISTANCE = 2e10;   /* where POV-Ray has the sky for its fog */
     double distance = isinf(t) ? SKY_DISTANCE : t * vec_length(r->dir);
-    double y2 = r->origin.y + distance * vec_normalize(r->dir).y;
+    Vec3 dir = vec_normalize(r->dir);
     Rgb sum = rgb(0, 0, 0), through = rgb(1, 1, 1);
     for (size_t i = 0; i < s->n_fogs; i++) {
         const Fog *f = &s->fogs[i];
-        double depth = f->type == 2 ? distance * ground_fog_share(f, r->origin.y, y2) : distance;
+        double y1 = vec_dot(f->up, r->origin), y2 = y1 + distance * vec_dot(f->up, dir);
+        double depth = f->type == 2 ? distance * ground_fog_share(f, y1, y2) : distance;
         double a = fmax(exp(-depth / f->distance), f->color.transmit), filter = a * f->color.filter;
         Rgb fog = color_rgb(f->color);
         sum = rgb_add(sum, rgb_scale(fog, 1 - a));

@@ -179,7 +179,7 @@ static void fog_is_povrays(void **state)
     Fog constant = { .type = 1, .distance = 6, .color = { .5f, .6f, .7f, 0, 0 } };
     Fog filtering = { .type = 1, .distance = 6, .color = { .5f, .6f, .7f, .3f, .2f } };
     Fog dark = { .type = 1, .distance = 3, .color = { .1f, .2f, .3f, 0, 0 } };
-    Fog ground = { .type = 2, .distance = 3, .offset = -.5, .altitude = .3, .color = { .5f, .6f, .7f, 0, 0 } };
+    Fog ground = { .type = 2, .distance = 3, .offset = -.5, .altitude = .3, .up = { 0, 1, 0 }, .color = { .5f, .6f, .7f, 0, 0 } };
     const struct { const char *name; Fog fogs[2]; size_t n; bool has_sphere; Rgb expected; } cases[] = {
         { "constant", { constant }, 1, true, { .4492, .3969, .3954 } },
         { "two, one with filter and transmit", { filtering, dark }, 2, true, { .3649, .4669, .5792 } },

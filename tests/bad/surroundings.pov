@@ -12,4 +12,4 @@ sky_sphere { pigment { rgb 1 } }
 light_source { 0, 1 looks_like { sphere { 0, 1 } } }
 sphere { 0, 1 }
 camera { spherical }
-fog { up z fog_type 2 }
+fog { up 0 fog_type 2 }

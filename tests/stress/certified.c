@@ -79,6 +79,12 @@ static Model build_tangled(Arena *a, double order, TestRandom *r)
     return certified(a, "tangled", n, r);
 }
 
+static Quad4 beside(Quad4 p, double gap, TestRandom *r)
+{
+    Quad dx = gap * test_range(r, -1, 1), dy = gap * test_range(r, -1, 1), dz = gap * test_range(r, -1, 1);
+    return (Quad4){ p.x + dx, p.y + dy, p.z + dz, 1 };
+}
+
 /* A sheet two of whose rows nearly meet, and lie nearly on the next: a bend that stiff. */
 static Model build_crease(Arena *a, double gap, TestRandom *r)
 {
@@ -87,7 +93,7 @@ static Model build_crease(Arena *a, double gap, TestRandom *r)
     for (int i = 0; i < n.n[0]; i++)
         for (int m = 1; m < 3; m++) {
             Quad4 *p = &n.p[(row + m) * n.n[0] + i], q = p[-n.n[0]];
-            *p = (Quad4){ q.x + gap * test_range(r, -1, 1), q.y + gap * test_range(r, -1, 1), q.z + gap * test_range(r, -1, 1), 1 };
+            *p = beside(q, gap, r);
         }
     return certified(a, "crease", n, r);
 }
@@ -102,7 +108,7 @@ static Model build_collapsed(Arena *a, double gap, TestRandom *r)
             bool is_in = what == 0 ? j == 0 : what == 1 ? true : what == 2 ? i == 0 || j == 0 : false;
             Quad4 *p = &n.p[j * n.n[0] + i], q = what == 3 ? n.p[i] : n.p[0];   /* 3: every row the same */
             if (what == 3 ? j == 0 : !is_in) continue;
-            *p = (Quad4){ q.x + gap * test_range(r, -1, 1), q.y + gap * test_range(r, -1, 1), q.z + gap * test_range(r, -1, 1), 1 };
+            *p = beside(q, gap, r);
         }
     return certified(a, "collapsed", n, r);
 }
@@ -119,7 +125,8 @@ static Ray ray_grazing(const Model *m, double by, TestRandom *r)
     const Net *n = &m->plain;
     double u = n->knots[0][n->n[0]] * test_range(r, .01, .99), v = n->knots[1][n->n[1]] * test_range(r, .01, .99);
     double step = 1e-9;
-    Quad3 p = net_point(n, u, v), s_u = quad3_sub(net_point(n, u + step, v), p), s_v = quad3_sub(net_point(n, u, v + step), p);
+    Quad3 p = net_point(n, u, v);
+    Quad3 s_u = quad3_sub(net_point(n, u + step, v), p), s_v = quad3_sub(net_point(n, u, v + step), p);
     Quad3 normal = quad3_cross(s_u, s_v), tangent = quad3_add(quad3_scale(s_u, test_range(r, -1, 1)),
                                                               quad3_scale(s_v, test_range(r, -1, 1)));
     normal = quad3_scale(normal, by * m->size * (2 * test_int(r, 0, 1) - 1) / quad3_length(normal));

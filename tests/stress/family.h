@@ -14,7 +14,7 @@ typedef struct {
 } Family;
 
 /* families.c: shapes with a closed form; trims.c: with trims; certified.c: held against the oracle. */
-extern const Family stress_shapes[], stress_certified[];
-extern const int n_stress_shapes, n_stress_certified;
+extern const Family stress_shapes[], stress_trims[], stress_certified[];
+extern const int n_stress_shapes, n_stress_trims, n_stress_certified;
 
 #endif

@@ -43,6 +43,8 @@ static void report_failure(const Options *o, const Family *f, double knob, int *
     if (!o->failures || ++*count > FAILURES_PER_FAMILY) return;
     char path[1024];
     snprintf(path, sizeof path, "%s/%s-%g-%d.c", o->failures, f->name, knob, *count);
+    for (char *c = path + strlen(o->failures); *c; c++)
+        if (*c == ' ') *c = '-';
     FILE *to = fopen(path, "w");
     if (!to) return;
     judge_report(to, m, r, truth, v);
@@ -168,6 +170,7 @@ int main(int argc, char **argv)
     signal(SIGALRM, bark);
     Row total[N_METHODS] = { 0 };
     run_families(&o, stress_shapes, n_stress_shapes, total);
+    run_families(&o, stress_trims, n_stress_trims, total);
     run_families(&o, stress_certified, n_stress_certified, total);
     for (int method = 0; method < N_METHODS; method++) print_row("all", "", method, &total[method]);
     const Row *certain = &total[NURBS_METHOD_CERTAIN];

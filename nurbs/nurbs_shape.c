@@ -129,6 +129,8 @@ Shape *nurbs_shape_new(Arena *a, const SurfaceDesc *desc, const NurbsOptions *op
     return &n->shape;
 }
 
+const Surface *surface_of_shape(const Shape *s) { return is_nurbs(s) ? ((const NurbsShape *)s)->surface : NULL; }
+
 bool nurbs_shape_info(const Shape *shape, NurbsInfo *out)
 {
     if (!is_nurbs(shape)) return false;

@@ -23,6 +23,9 @@ typedef struct {
 Surface *surface_new(Arena *a, const SurfaceDesc *desc, NurbsError *error,
                      NurbsWarning *warnings, int max_warnings, int *n_warnings);
 
+/* What a NURBS shape is made of; NULL: it is another shape. In nurbs_shape.c. */
+const Surface *surface_of_shape(const struct Shape *s);
+
 /* Reference evaluation by basis functions (basis.c). */
 void surface_point(const Surface *s, double u, double v, Vec3 *point, Vec3 *s_u, Vec3 *s_v);
 

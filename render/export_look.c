@@ -40,49 +40,52 @@ static bool all_are_solid(const Pigment *p)
     return true;
 }
 
-static void write_blocks(Sdl *out, const Pigment *p)
+/* A pattern's name with what it is made of; the size of bricks comes after its blocks. */
+static void write_pattern(Sdl *out, const Pattern *p)
 {
-    const PatternType *type = p->pattern.type;
-    bool are_solid = all_are_solid(p);
-    sdl_text(out, " %s", type->name);
-    for (int i = 0; i < type->n_blocks; i++) {
-        const Pigment own = pigment_solid(type->blocks[i]), *g = i < p->n_entries ? p->entries[i].pigment : &own;
-        if (i > 0) sdl_text(out, ",");
-        if (are_solid) {
-            write_color(out, g->color);
-            continue;
-        }
-        sdl_text(out, " pigment {");
-        write_pigment_body(out, g);
-        sdl_text(out, " }");
-    }
-    if (strcmp(type->name, "brick") != 0) return;
-    sdl_text(out, " brick_size");
-    sdl_vec(out, p->pattern.brick_size);
-    write_value(out, "mortar", p->pattern.mortar);
-}
-
-static void write_wave(Sdl *out, const Pattern *p)
-{
-    static const char *const words[] = { "ramp_wave", "triangle_wave", "sine_wave", "scallop_wave", "cubic_wave", "poly_wave" };
+    static const char *const words[] = {
+        "ramp_wave", "triangle_wave", "sine_wave", "scallop_wave", "cubic_wave", "poly_wave"
+    };
+    sdl_text(out, " %s", p->type->name);
+    if (p->type->n_blocks > 0) return;
+    if (strcmp(p->type->name, "gradient") == 0) sdl_vec(out, p->direction);
     write_value(out, "frequency", p->frequency);
     write_value(out, "phase", p->phase);
     sdl_text(out, " %s", words[p->wave]);
     if (p->wave == WAVE_POLY) sdl_number(out, p->exponent);
 }
 
+static void write_bricks(Sdl *out, const Pattern *p)
+{
+    if (strcmp(p->type->name, "brick") != 0) return;
+    sdl_text(out, " brick_size");
+    sdl_vec(out, p->brick_size);
+    write_value(out, "mortar", p->mortar);
+}
+
+static void write_blocks(Sdl *out, const Pigment *p)
+{
+    const PatternType *type = p->pattern.type;
+    bool are_solid = all_are_solid(p);
+    write_pattern(out, &p->pattern);
+    for (int i = 0; i < type->n_blocks; i++) {
+        const Pigment own = pigment_solid(type->blocks[i]), *g = i < p->n_entries ? p->entries[i].pigment : &own;
+        if (i > 0) sdl_text(out, ",");
+        if (!are_solid) sdl_text(out, " pigment {");
+        write_pigment_body(out, g);
+        if (!are_solid) sdl_text(out, " }");
+    }
+    write_bricks(out, &p->pattern);
+}
+
 static void write_map(Sdl *out, const Pigment *p)
 {
-    bool are_solid = all_are_solid(p);
-    sdl_text(out, " %s", p->pattern.type->name);
-    if (strcmp(p->pattern.type->name, "gradient") == 0) sdl_vec(out, p->pattern.direction);
-    write_wave(out, &p->pattern);
+    write_pattern(out, &p->pattern);
     if (p->n_entries == 0) return;
-    sdl_text(out, are_solid ? " color_map {" : " pigment_map {");
+    sdl_text(out, all_are_solid(p) ? " color_map {" : " pigment_map {");
     for (int i = 0; i < p->n_entries; i++) {
         sdl_text(out, " [%.9g", p->entries[i].key);
-        if (are_solid) write_color(out, p->entries[i].pigment->color);
-        else write_pigment_body(out, p->entries[i].pigment);
+        write_pigment_body(out, p->entries[i].pigment);
         sdl_text(out, "]");
     }
     sdl_text(out, " }");
@@ -133,17 +136,63 @@ static void write_finish(Sdl *out, const Finish *f)
 
 /* ---- textures ---- */
 
+static void write_layer(Sdl *out, const Layer *l, const Xform *outer)
+{
+    sdl_text(out, " pigment {");
+    write_pigment_body(out, l->pigment);
+    if (!l->pigment->uv_mapping && l->pigment->kind != PIGMENT_COLOR) export_matrix(out, outer);
+    sdl_text(out, " }");
+    write_finish(out, &l->finish);
+}
+
+static void write_texture_map(Sdl *out, const TextureMap *map, const Xform *outer);
+
+/* What stands in a texture's block; layers have to be declared to stand in one. */
+static void write_texture_body(Sdl *out, const Texture *t)
+{
+    Xform none = xform_identity();
+    if (t->n_layers > 1) {
+        sdl_text(out, "\n#local Layers =");
+        export_texture(out, "texture", t, &none, false);
+        sdl_text(out, "\nLayers");
+        return;
+    }
+    if (t->uv_mapping) sdl_text(out, " uv_mapping");
+    if (t->map) write_texture_map(out, t->map, &none);
+    else write_layer(out, &t->layers[0], &none);
+}
+
+static void write_texture_map(Sdl *out, const TextureMap *map, const Xform *outer)
+{
+    bool has_blocks = map->pattern.type->n_blocks > 0;
+    write_pattern(out, &map->pattern);
+    if (!has_blocks) sdl_text(out, " texture_map {");
+    for (int i = 0; i < map->n_entries; i++) {
+        if (has_blocks) sdl_text(out, "%s texture {", i > 0 ? "," : "");
+        else sdl_text(out, " [%.9g", map->entries[i].key);
+        write_texture_body(out, map->entries[i].texture);
+        sdl_text(out, has_blocks ? " }" : "]");
+    }
+    if (has_blocks) write_bricks(out, &map->pattern);
+    else sdl_text(out, " }");
+    export_matrix(out, &map->space);
+    export_matrix(out, outer);
+}
+
 void export_texture(Sdl *out, const char *word, const Texture *t, const Xform *outer, bool by_uv)
 {
+    Xform none = xform_identity();
+    const char *mapping = t->uv_mapping ? " uv_mapping" : "";
+    if (by_uv || t->uv_mapping) outer = &none;
     for (int i = 0; i < t->n_layers; i++) {
-        const Pigment *p = t->layers[i].pigment;
-        sdl_text(out, " %s {%s pigment {", word, t->uv_mapping ? " uv_mapping" : "");
-        write_pigment_body(out, p);
-        if (!by_uv && !t->uv_mapping && !p->uv_mapping && p->kind != PIGMENT_COLOR) export_matrix(out, outer);
-        sdl_text(out, " }");
-        write_finish(out, &t->layers[i].finish);
+        sdl_text(out, " %s {%s", word, mapping);
+        write_layer(out, &t->layers[i], outer);
         sdl_text(out, " }");
     }
+    if (!t->map) return;
+    sdl_text(out, " %s {%s", word, mapping);
+    write_texture_map(out, t->map, outer);
+    sdl_text(out, " }");
 }
 
 void export_interior(Sdl *out, const Interior *i)
@@ -184,7 +233,10 @@ static void write_light(Sdl *out, const Light *l)
     if (l->is_parallel) sdl_text(out, " parallel");
     if (l->kind != LIGHT_POINT || l->is_parallel) sdl_text(out, " point_at"), sdl_vec(out, l->point_at);
     if (l->is_shadowless) sdl_text(out, " shadowless");
-    if (l->fade_distance > 0) write_value(out, "fade_distance", l->fade_distance), write_value(out, "fade_power", l->fade_power);
+    if (l->fade_distance > 0) {
+        write_value(out, "fade_distance", l->fade_distance);
+        write_value(out, "fade_power", l->fade_power);
+    }
     if (l->is_area) write_area(out, l);
     sdl_text(out, " }\n");
 }
@@ -226,7 +278,10 @@ static void write_fog(Sdl *out, const Fog *f)
 {
     sdl_text(out, "fog { fog_type %d", f->type);
     write_value(out, "distance", f->distance);
-    if (f->type == 2) write_value(out, "fog_offset", f->offset), write_value(out, "fog_alt", f->altitude);
+    if (f->type == 2) {
+        write_value(out, "fog_offset", f->offset), write_value(out, "fog_alt", f->altitude);
+        sdl_text(out, " up"), sdl_vec(out, f->up);
+    }
     write_color(out, f->color);
     sdl_text(out, " }\n");
 }

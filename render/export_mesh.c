@@ -5,6 +5,7 @@
 #include <string.h>
 
 typedef struct Walk Walk;
+typedef struct { float v[4][3]; } Facet;   /* of STL: normal and corners */
 
 /* Writes what one primitive's mesh adds, in the world already. */
 typedef void (*Writer)(Walk *w, const char *name, const MeshSink *m);
@@ -16,6 +17,8 @@ struct Walk {
     double chord_error;
     Writer write;
     size_t n_vertices, n_groups;
+    Facet *facets;
+    size_t n_facets, facets_capacity;
     ExportMeshResult result;
 };
 
@@ -79,12 +82,12 @@ static void walk(Walk *w, const Shape *s, const Xform *placement)
     }
 }
 
-static ExportMeshResult write_scene(FILE *file, Arena *a, const Scene *s, const ExportList *list, double chord_error, Writer write)
+static Walk walk_scene(FILE *file, Arena *a, const Scene *s, const ExportList *list, double chord_error, Writer write)
 {
     Walk w = { .file = file, .arena = a, .list = list, .chord_error = chord_error, .write = write };
     Xform world = xform_identity();
     for (size_t i = 0; i < s->n_objects; i++) walk(&w, &s->objects[i]->shape, &world);
-    return w.result;
+    return w;
 }
 
 /* ---- OBJ ---- */
@@ -108,10 +111,11 @@ static void write_obj(Walk *w, const char *name, const MeshSink *m)
 ExportMeshResult export_obj(FILE *file, Arena *a, const Scene *s, const ExportList *list, double chord_error)
 {
     fprintf(file, "# Written by trimray: triangles within %.9g of their surfaces.\n", chord_error);
-    return write_scene(file, a, s, list, chord_error, write_obj);
+    return walk_scene(file, a, s, list, chord_error, write_obj).result;
 }
 
-/* ---- STL: 80 bytes of text, the number of triangles, and for each a normal, three corners and two bytes; little endian ---- */
+/* ---- STL ----
+ * 80 bytes of text, the number of triangles, and for each a normal, three corners and two bytes; little endian. */
 
 enum { HEADER_BYTES = 80 };
 
@@ -120,38 +124,38 @@ static void put_u32(FILE *file, uint32_t x)
     for (int i = 0; i < 4; i++) fputc((int)(x >> 8 * i & 255), file);
 }
 
-static void put_vec(FILE *file, Vec3 v)
+static void put_vec(FILE *file, const float v[3])
 {
-    const float f[3] = { (float)v.x, (float)v.y, (float)v.z };
     for (int i = 0; i < 3; i++) {
         uint32_t bits;
-        memcpy(&bits, &f[i], sizeof bits);
+        memcpy(&bits, &v[i], sizeof bits);
         put_u32(file, bits);
     }
 }
 
-static void write_stl(Walk *w, const char *name, const MeshSink *m)
+static void set_vec(float out[3], Vec3 v) { out[0] = (float)v.x, out[1] = (float)v.y, out[2] = (float)v.z; }
+
+/* Kept until their number is known, which stands before them. */
+static void keep_facets(Walk *w, const char *name, const MeshSink *m)
 {
     (void)name;
     for (size_t i = 0; i < m->n_triangles; i++) {
+        Facet f;
         Vec3 p[3];
-        for (int k = 0; k < 3; k++) p[k] = m->vertices[m->triangles[i].v[k]].point;
-        put_vec(w->file, vec_normalize(vec_cross(vec_sub(p[1], p[0]), vec_sub(p[2], p[0]))));
-        for (int k = 0; k < 3; k++) put_vec(w->file, p[k]);
-        fputc(0, w->file), fputc(0, w->file);
+        for (int k = 0; k < 3; k++) p[k] = m->vertices[m->triangles[i].v[k]].point, set_vec(f.v[k + 1], p[k]);
+        set_vec(f.v[0], vec_normalize(vec_cross(vec_sub(p[1], p[0]), vec_sub(p[2], p[0]))));
+        ARENA_PUSH(w->arena, w->facets, w->n_facets, w->facets_capacity) = f;
     }
 }
 
-/* The number of triangles stands before them and is known after them. */
 ExportMeshResult export_stl(FILE *file, Arena *a, const Scene *s, const ExportList *list, double chord_error)
 {
-    char header[HEADER_BYTES + 1];
-    snprintf(header, sizeof header, "%-80s", "triangles of trimray");
-    fwrite(header, 1, HEADER_BYTES, file);
-    put_u32(file, 0);
-    ExportMeshResult r = write_scene(file, a, s, list, chord_error, write_stl);
-    fseek(file, HEADER_BYTES, SEEK_SET);
-    put_u32(file, (uint32_t)r.n_triangles);
-    fseek(file, 0, SEEK_END);
-    return r;
+    Walk w = walk_scene(file, a, s, list, chord_error, keep_facets);
+    fprintf(file, "%-*s", HEADER_BYTES, "triangles of trimray");
+    put_u32(file, (uint32_t)w.n_facets);
+    for (size_t i = 0; i < w.n_facets; i++) {
+        for (int k = 0; k < 4; k++) put_vec(file, w.facets[i].v[k]);
+        fputc(0, file), fputc(0, file);
+    }
+    return w.result;
 }

@@ -9,8 +9,8 @@
 /* Does POV-Ray get a mesh for this primitive? Those that cannot write themselves. */
 bool export_pov_is_mesh(const Shape *s);
 
-/* Meshes keep to chord_error in the world wherever they are placed. Shapes that several objects share are declared once. NULL,
- * or the name of a shape that can be written neither as itself nor as a mesh. */
+/* Meshes keep to chord_error in the world wherever they are placed. Shapes that several objects share are declared once.
+ * NULL, or the name of a shape that can be written neither as itself nor as a mesh. */
 const char *export_pov(FILE *file, const Scene *s, ExportList *list, double chord_error);
 
 #endif

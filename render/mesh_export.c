@@ -92,7 +92,8 @@ void mesh_desc_tessellate(const MeshDesc *d, MeshSink *out)
             uint32_t n = d->normal_faces ? d->normal_faces[i].corner[k] : MESH_NONE;
             uint32_t uv = d->uv_faces ? d->uv_faces[i].corner[k] : MESH_NONE;
             Vec2 at = uv != MESH_NONE ? vec2(d->uvs[uv].u, d->uvs[uv].v) : vec2(p[k].x, p[k].y);
-            v[k] = mesh_sink_vertex(out, (MeshVertex){ p[k], n != MESH_NONE ? vec_normalize(vector(d->normals[n])) : flat, at });
+            Vec3 normal = n != MESH_NONE ? vec_normalize(vector(d->normals[n])) : flat;
+            v[k] = mesh_sink_vertex(out, (MeshVertex){ p[k], normal, at });
         }
         mesh_sink_triangle(out, v[0], v[1], v[2]);
     }

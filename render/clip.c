@@ -81,10 +81,25 @@ static void clipped_write(const Shape *shape, Sdl *out)
     sdl_text(out, " }");
 }
 
+static void release_below(Shape *s)
+{
+    Shape *const *parts;
+    uint32_t n = s->type->parts ? s->type->parts(s, &parts) : 0;
+    for (uint32_t i = 0; i < n; i++) release_below(parts[i]);
+    shape_release(s);
+}
+
+/* The clips are no parts: nobody else gives back what asking them for their inside has made them prepare. */
+static void clipped_release(Shape *shape)
+{
+    const Clipped *c = (const Clipped *)shape;
+    for (uint32_t i = 0; i < c->n; i++) release_below(c->clips[i]);
+}
+
 static const ShapeType clipped_type = {
     .name = "clipped_by", .bounds = clipped_bounds, .hit = clipped_hit, .all_hits = clipped_all_hits,
     .inside = clipped_inside, .inside_bounds = clipped_inside_bounds, .parts = clipped_parts,
-    .with_parts = clipped_with_parts, .write = clipped_write,
+    .with_parts = clipped_with_parts, .write = clipped_write, .release = clipped_release,
 };
 
 Shape *clipped_new(Arena *a, Shape *s, Shape *const clips[], uint32_t n)

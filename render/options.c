@@ -453,7 +453,8 @@ void options_print_help(FILE *out)
     fputs("trimray renders POV-Ray scenes whose special primitive is the trimmed NURBS surface.\n\n"
           "usage: trimray [command] SCENE.pov [options]\n\ncommands:\n", out);
     for (int i = 0; i < N_COMMANDS; i++) fprintf(out, "  %-26s %s\n", commands[i].name, commands[i].help);
-    fputs("\noptions, in POV-Ray's spelling and in full (also by POV-Ray's INI keys: Width=640):\n", out);
+    fputs("\noptions, in POV-Ray's spelling and in full (also by POV-Ray's INI keys: Width=640; FILE.ini and FILE.ini[SECTION]\n"
+          "read them from a file):\n", out);
     for (const Row *row = table; row < table + N_ROWS; row++)
         if (row->help) print_row(row, out);
     fputs("\nexit status: 0 done, 1 the scene or the input is wrong, 2 the command line is wrong, 3 a file cannot be read\n"

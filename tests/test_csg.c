@@ -3,7 +3,7 @@
 #include "tests/solids.h"
 
 #include "render/hit_list.h"
-#include "render/object.h"
+#include "render/mesh.h"
 
 static Arena *arena;
 static Trace trace;
@@ -261,6 +261,25 @@ static void clips_cut_and_leave_open(void **state)
     assert_true(shape_inside(&ball->shape, vec(5, 0, 0)));
 }
 
+/* Clips are no parts of what a scene sees, but what their meshes hold is given back with it. */
+static void clips_are_prepared_and_released(void **state)
+{
+    (void)state;
+    static const MeshVector v[4] = { { 0, 0, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, { 0, 0, 4 } };
+    static const MeshFace f[4] = { { { 0, 1, 2 } }, { { 0, 2, 3 } }, { { 0, 3, 1 } }, { { 1, 3, 2 } } };
+    MeshDesc desc = { .vertices = v, .faces = f, .n_vertices = 4, .n_faces = 4, .has_inside = true, .inside_vector = vec(1, 2, 3) };
+    Shape *corner = mesh_new(arena, &desc), *clips[1] = { corner };
+    Object *ball = object_new(arena, sphere_new(arena, vec(0, 0, 0), 1));
+    object_clip(arena, ball, clips, 1);
+    Hit h;
+    assert_true(hit_of(&ball->shape, vec(.3, .4, -5), vec(.3, .4, -4), &h));
+    CHECK_WITHIN(fabs(h.t - (5 + sqrt(.75))), 1e-14, "only where x, y and z are positive");
+    assert_false(hit_of(&ball->shape, vec(-.3, .4, -5), vec(-.3, .4, -4), &h));
+    assert_true(shape_was_prepared(corner));
+    shape_release(ball->child);
+    assert_false(shape_was_prepared(corner));
+}
+
 /* Inverting a union gives the intersection of the inverses: the surfaces within are gone. */
 static void an_inverse_union_has_no_surfaces_within(void **state)
 {
@@ -326,6 +345,7 @@ int main(void)
         cmocka_unit_test(shared_faces_leave_no_skin),
         cmocka_unit_test(a_surface_without_an_inside_is_cut),
         cmocka_unit_test(clips_cut_and_leave_open),
+        cmocka_unit_test(clips_are_prepared_and_released),
         cmocka_unit_test(an_inverse_union_has_no_surfaces_within),
         cmocka_unit_test(deep_nests_of_compounds_stay_what_they_are),
     };

@@ -8,7 +8,8 @@
 #include <float.h>
 #include <stdlib.h>
 
-/* Halving divides the variation of the derivatives by about two. What bends forever (a pole, a cusp) is left to clip.c, which refines along the ray alone. */
+/* Halving divides the variation of the derivatives by about two. What bends forever (a pole, a cusp) is left to clip.c, which
+ * refines along the ray alone. */
 #define MAX_HALVINGS 8
 
 /* ---- preparation ---- */
@@ -135,10 +136,18 @@ static double rounding_of_patches(const Surface *s)
     return 0.5 * DBL_EPSILON * (s->k_u + s->k_v + 8) * s->size;
 }
 
+/* A patch of high order is dear to keep, k_u k_v points: up to order 4 nothing changes, beyond it patches may vary more, so that
+ * their number falls about as fast as their points grow. */
+static double coarseness(const Surface *s)
+{
+    double points = s->k_u * s->k_v;
+    return points > 16 ? pow(points / 16, 0.25) : 1;
+}
+
 void certain_prepare(Arena *a, const Surface *surface, double variation, PatchTree *out)
 {
     Preparation k = { .own = a, .lists = arena_new(), .rounding = rounding_of_patches(surface) };
-    k.variation = variation > 0 ? variation : CERTAIN_VARIATION;
+    k.variation = (variation > 0 ? variation : CERTAIN_VARIATION) * coarseness(surface);
     Vec3 base = box_centre(surface->box);
     Surface about_base = *surface, *s = &about_base;
     about_base.p = points_about(k.lists, surface, base);

@@ -146,7 +146,7 @@ static Place polish(const Clip *k, const Net *n)
     double w_s = n->s1 - n->s0, s0 = double_max(n->s0 - w_s, 0), s1 = double_min(n->s1 + w_s, 1);
     double w_t = n->t1 - n->t0, t0 = double_max(n->t0 - w_t, 0), t1 = double_min(n->t1 + w_t, 1);
     Place best = place_at(k, 0.5 * (n->s0 + n->s1), 0.5 * (n->t0 + n->t1));
-    for (int step = 0; step < 4; step++) {
+    for (int step = 0; step < 8; step++) {
         double s = double_min(double_max(best.s + best.ds, s0), s1), t = double_min(double_max(best.t + best.dt, t0), t1);
         if (!(isfinite(best.ds) && isfinite(best.dt)) || (s == best.s && t == best.t)) break;
         Place next = place_at(k, s, t);
@@ -176,13 +176,20 @@ static bool report(const Clip *k, const Net *n, bool is_tangent)
     return report_at(k, &at, double_max(reach, 0) + k->rounding, is_tangent);
 }
 
+/* Does Newton's method find a point of the box on the ray, as far as rounding can tell? */
+static bool is_on_ray(const Clip *k, const Net *n)
+{
+    Place at = polish(k, n);
+    return residual2(&at) <= 4 * k->rounding * k->rounding;
+}
+
 /* A box with at most one root: Newton's method from its middle, if it ends well inside. Else clipping goes on. */
 static bool finish(const Clip *k, const Net *n, Place *root)
 {
     *root = place_at(k, 0.5 * (n->s0 + n->s1), 0.5 * (n->t0 + n->t1));
     for (int step = 0; step < 6; step++) {
         double s = root->s + root->ds, t = root->t + root->dt;
-        bool is_last = fabs(root->ds) < 0x1p-26 && fabs(root->dt) < 0x1p-26;
+        bool is_last = fabs(root->ds) < 0x1p-26 * (n->s1 - n->s0) && fabs(root->dt) < 0x1p-26 * (n->t1 - n->t0);
         if (!(s > n->s0 && s < n->s1 && t > n->t0 && t < n->t1)) return false;
         *root = place_at(k, s, t);
         if (is_last) return true;
@@ -318,14 +325,20 @@ static Clipped clip_by_turning(const Clip *k, const Net *n, const Mean *m, doubl
                       meet(clip_range(k, along, error, false), clip_range(k, across, error, false)) };
 }
 
-/* Below this share of |J_s| |J_t|, the determinant is that of a needle. */
+/* The determinant in shares of |J_s| |J_t|: below the first, it is mostly rounding, and there is no inverse; below the second,
+ * an inverse that does not certify the box is helped by turning. */
+#define NO_INVERSE 0x1p-46
 #define NEEDLE 0x1p-20
 
 static Clipped clip_box(const Clip *k, Net *n, double error)
 {
     Mean m = mean_jacobian(k, n);
-    bool has_inverse = fabs(m.det) > NEEDLE * hypot(m.a_s, m.b_s) * hypot(m.a_t, m.b_t) && isfinite(1 / m.det);
-    return has_inverse ? clip_by_inverse(k, n, &m, error) : clip_by_turning(k, n, &m, error);
+    double share = fabs(m.det) / (hypot(m.a_s, m.b_s) * hypot(m.a_t, m.b_t));
+    Clipped c = { { 0, 1 }, { 0, 1 } };
+    if (share > NO_INVERSE && isfinite(1 / m.det)) c = clip_by_inverse(k, n, &m, error);
+    if (n->is_certified || share > NEEDLE) return c;
+    Clipped d = clip_by_turning(k, n, &m, error);
+    return (Clipped){ meet(c.s, d.s), meet(c.t, d.t) };
 }
 
 static bool settle(const Clip *k, Net *n);
@@ -370,8 +383,9 @@ static bool settle_in_scratch(const Clip *k, Net *n)
         restrict_s(k, n, c.s.lo, c.s.hi);
         restrict_t(k, n, c.t.lo, c.t.hi);
         if (is_worth_it) continue;
-        /* At most one root, and clipping converges quadratically to it: what stops it is the rounding. */
-        return n->is_certified ? report(k, n, false) : halve(k, n);
+        /* At most one root, and clipping converges quadratically to it: what stops it is the rounding, unless that is much
+         * enlarged by the inverse of a needle. */
+        return n->is_certified && is_on_ray(k, n) ? report(k, n, false) : halve(k, n);
     }
 }
 

@@ -1,5 +1,5 @@
-/* mesh { triangle { } ... } and mesh2 { vertex_vectors { } ... face_indices { } ... }. Numbers become floats here, as POV-Ray
- * stores them. */
+/* mesh { triangle { } ... } and mesh2 { vertex_vectors { } ... face_indices { } ... }. Numbers become floats here, as
+ * POV-Ray stores them. */
 #include "parser/rules.h"
 #include "render/mesh.h"
 
@@ -152,7 +152,8 @@ static void read_look(MeshDraft *d)
 
 static uint32_t checked_index(MeshDraft *d, Place where, double x, size_t n, const char *what)
 {
-    if (!(x >= 0 && x < (double)n)) parse_fail(d->parser, where, "expected the index of one of %zu %s, found %g", n, what, x);
+    if (!(x >= 0 && x < (double)n))
+        parse_fail(d->parser, where, "expected the index of one of %zu %s, found %g", n, what, x);
     return (uint32_t)x;
 }
 

@@ -82,8 +82,9 @@ static double reach_of(const Walk *w, size_t i) { return SLOPE * w->hits.hits[w-
 /* Past the candidates that are at one place with the first. */
 static size_t end_of_place(const Walk *w, size_t first)
 {
+    const Candidate *c = w->candidates;
     size_t end = first + 1;
-    while (end < w->hits.n && w->candidates[end].t - w->candidates[end - 1].t <= reach_of(w, end - 1) + reach_of(w, end)) end++;
+    while (end < w->hits.n && c[end].t - c[end - 1].t <= reach_of(w, end - 1) + reach_of(w, end)) end++;
     return end;
 }
 
@@ -151,7 +152,7 @@ static const Tied *changing(const Csg *c, const Place *p)
     return (c->is_merge ? was_any != is_any : was_all != is_all) ? last : NULL;
 }
 
-/* A surface that nothing changes at, touched by the others: of an intersection it must be inside them on one side at least. */
+/* A surface that nothing changes at, touched by others: an intersection keeps it if it is inside them on one side at least. */
 static bool sheet_is_kept(const Csg *c, const Place *p, const Tied *sheet)
 {
     if (sheet->n_hits != 1 || sheet->was_inside != sheet->is_inside) return false;

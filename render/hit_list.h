@@ -1,5 +1,5 @@
-/* All hits of a ray, for those who must see more than the nearest: CSG, clipping, counting. A list lives in a thread's scratch
- * arena between a mark and its reset: no memory is asked of the system for a ray. */
+/* All hits of a ray, for those who must see more than the nearest: CSG, clipping, counting. A list lives in a thread's
+ * scratch arena between a mark and its reset: no memory is asked of the system for a ray. */
 #ifndef TRIMRAY_HIT_LIST_H
 #define TRIMRAY_HIT_LIST_H
 

@@ -184,7 +184,8 @@ static unsigned mesh_looks(const Shape *shape)
     const MeshDesc *d = &((const Mesh *)shape)->desc;
     unsigned looks = LOOKS_UNTEXTURED;
     for (uint32_t i = 0; i < d->n_looks; i++)
-        looks |= (texture_is_opaque(d->looks[i]) ? 0u : LOOKS_CLEAR) | (texture_reflects(d->looks[i]) ? LOOKS_REFLECTING : 0u);
+        looks |= (texture_is_opaque(d->looks[i]) ? 0u : LOOKS_CLEAR) |
+                 (texture_reflects(d->looks[i]) ? LOOKS_REFLECTING : 0u);
     return looks;
 }
 

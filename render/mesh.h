@@ -19,7 +19,7 @@ typedef struct {
     const uint32_t *textures;                      /* of each face, an index of looks; NULL: all are like the whole */
     const Texture *const *looks;
     uint32_t n_vertices, n_faces, n_looks;
-    bool has_inside;                               /* inside is where a ray along inside_vector crosses an odd number of faces */
+    bool has_inside;                               /* inside: a ray along inside_vector crosses an odd number of faces */
     Vec3 inside_vector;
 } MeshDesc;
 

@@ -191,7 +191,7 @@ Object *object_copy(Arena *a, const Object *o) { return copy(a, o); }
 
 /* ---- inside out ---- */
 
-/* The flag is set on primitives alone, so that what lies between follows POV-Ray's rules for the inverse of each compound. */
+/* The flag is set on primitives alone, so that each compound above follows POV-Ray's rule for its inverse. */
 void object_invert(Arena *a, Object *o)
 {
     if (!o->child->type->parts) {

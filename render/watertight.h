@@ -1,6 +1,6 @@
-/* A ray against a triangle, watertight after [WBW13]: the vertices are moved to the ray's origin and sheared so that the ray
- * is the z axis; the ray passes the triangle if the three edge functions in x, y have one sign. For an edge that two triangles
- * share both compute the same two products, so that no ray slips between them.
+/* A ray against a triangle, watertight after [WBW13]: the vertices are moved to the ray's origin and sheared so that the
+ * ray is the z axis; the ray passes the triangle if the three edge functions in x, y have one sign. For an edge that two
+ * triangles share both compute the same two products, so that no ray slips between them.
  *
  * Error: a moved vertex is off by u of its distance, its sheared z by 3u m, m the largest distance of a vertex. An edge
  * function is off by 3u L^2, L the largest x or y after shearing; over the sum of all three, det, that shifts the point
@@ -49,8 +49,8 @@ static inline double sheared_error(const Vec3 v[3], double det, double scale)
 /* t, its error, and the weights u and v of the second and third corner. */
 typedef struct { double t, error, u, v; } TriangleHit;
 
-/* A triangle with its corners sheared; false: missed, or edge on. Its edges belong to it: a ray through one that two triangles
- * share hits both. */
+/* A triangle with its corners sheared; false: missed, or edge on. Its edges belong to it: a ray through one that two
+ * triangles share hits both. */
 static inline bool watertight_hit(const Shear *s, const Vec3 v[3], double t_min, double t_max, TriangleHit *out)
 {
     double w0 = sheared_edge(v[1], v[2]), w1 = sheared_edge(v[2], v[0]), w2 = sheared_edge(v[0], v[1]), det = w0 + w1 + w2;

@@ -267,7 +267,8 @@ static void clips_are_prepared_and_released(void **state)
     (void)state;
     static const MeshVector v[4] = { { 0, 0, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, { 0, 0, 4 } };
     static const MeshFace f[4] = { { { 0, 1, 2 } }, { { 0, 2, 3 } }, { { 0, 3, 1 } }, { { 1, 3, 2 } } };
-    MeshDesc desc = { .vertices = v, .faces = f, .n_vertices = 4, .n_faces = 4, .has_inside = true, .inside_vector = vec(1, 2, 3) };
+    MeshDesc desc = { .vertices = v, .faces = f, .n_vertices = 4, .n_faces = 4, .has_inside = true };
+    desc.inside_vector = vec(1, 2, 3);
     Shape *corner = mesh_new(arena, &desc), *clips[1] = { corner };
     Object *ball = object_new(arena, sphere_new(arena, vec(0, 0, 0), 1));
     object_clip(arena, ball, clips, 1);
@@ -304,7 +305,8 @@ static void deep_nests_of_compounds_stay_what_they_are(void **state)
     Object *ball = object_new(arena, sphere_new(arena, vec(0, 0, 0), 2));
     Shape *clips[1] = { plane_new(arena, vec(0, 1, 0), .5) };
     object_clip(arena, ball, clips, 1);
-    Shape *parts[2] = { &ball->shape, box_shape_new(arena, vec(-1, -1, -9), vec(1, 1, 9)) }, *s = difference_new(arena, parts, 2);
+    Shape *parts[2] = { &ball->shape, box_shape_new(arena, vec(-1, -1, -9), vec(1, 1, 9)) };
+    Shape *s = difference_new(arena, parts, 2);
     Xform step = xform_translate(vec(1, 0, 0));
     for (int i = 0; i < 3 * HIT_MAX_OBJECTS; i++) {
         Object *o = object_new(arena, s);
@@ -317,7 +319,8 @@ static void deep_nests_of_compounds_stay_what_they_are(void **state)
     CHECK_WITHIN(fabs(h.t - (5 - sqrt(4 - 2.25))), 1e-13, "beside the hole");
     assert_false(hit_of(s, vec(x + .5, 0, -5), vec(x + .5, 0, -4), &h));        /* through the hole */
     assert_false(hit_of(s, vec(x + 1.5, .6, -5), vec(x + 1.5, .6, -4), &h));    /* clipped away */
-    assert_true(shape_inside(s, vec(x + 1.5, 0, 0)) && !shape_inside(s, vec(x, 0, 0)) && !shape_inside(s, vec(x + 1.5, .6, 0)));
+    assert_true(shape_inside(s, vec(x + 1.5, 0, 0)));
+    assert_false(shape_inside(s, vec(x, 0, 0)) || shape_inside(s, vec(x + 1.5, .6, 0)));
 }
 
 static int set_up(void **state)

@@ -237,8 +237,8 @@ static void a_face_may_have_a_texture_of_its_own(void **state)
     static const MeshFace faces[2] = { { { 0, 1, 2 } }, { { 0, 2, 3 } } };
     static const uint32_t textures[2] = { MESH_NONE, 0 };
     const Texture *clear = texture_of((Color){ 1, 0, 0, 0, .5f }), *whole = texture_of((Color){ 0, 1, 0, 0, 0 });
-    MeshDesc desc = { .vertices = square, .faces = faces, .textures = textures, .looks = &clear, .n_vertices = 4, .n_faces = 2,
-                      .n_looks = 1 };
+    MeshDesc desc = { .vertices = square, .faces = faces, .textures = textures, .looks = &clear, .n_vertices = 4,
+                      .n_faces = 2, .n_looks = 1 };
     Shape *mesh = mesh_new(arena, &desc);
     Object *o = object_new(arena, mesh);
     Xform x = xform_translate(vec(5, 0, 0));

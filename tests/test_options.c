@@ -104,8 +104,8 @@ static void ini_files_say_what_a_command_line_says(void **state)
 {
     (void)state;
     Options o;
-    const char *path = ini_file("; a comment\n Width = 320 ; and another\n+H240 -J\r\nLibrary_Path=\"/a;b\"\n\nAntialias=on\n"
-                                "[Large]\nWidth=1000\n[small]\nwidth=10\nheight=20");
+    const char *path = ini_file("; a comment\n Width = 320 ; and another\n+H240 -J\r\nLibrary_Path=\"/a;b\"\n\n"
+                                "Antialias=on\n[Large]\nWidth=1000\n[small]\nwidth=10\nheight=20");
     assert_true(read(&o, path, NULL));
     assert_true(o.width == 320 && o.height == 240 && !o.jitter_on && o.antialias_on && o.n_library_paths == 1);
     assert_string_equal(o.library_paths[0], "/a;b");

@@ -36,11 +36,17 @@ typedef struct {
  * only. */
 int oracle_roots(const Oracle *o, const Ray *r, double band, OracleRoot *out, int max);
 
-/* How often a loop goes round (u, v), counterclockwise; curves are joined by straight pieces where they leave gaps. If
- * the point is too close to tell, returns false, and it is nearer to the loop than *distance. */
-bool oracle_winding(const TrimLoopDesc *loop, double u, double v, int *winding, double *distance);
+typedef struct OracleTrims OracleTrims;
+
+/* The Bezier segments of valid loops of clamped curves; curves are joined by straight pieces where they leave gaps. */
+OracleTrims *oracle_trims_new(const TrimLoopDesc *loops, int n);
+void oracle_trims_free(OracleTrims *t);
+
+/* How often a loop goes round (u, v), counterclockwise. If the point is too close to tell, returns false, and it is
+ * nearer to the loop than *distance. */
+bool oracle_winding(const OracleTrims *t, int loop, double u, double v, int *winding, double *distance);
 
 /* Is (u, v) kept by the loops, which neither cross nor overlap? False: too close to tell, as above. */
-bool oracle_keeps(const TrimLoopDesc *loops, int n, bool keep_left, double u, double v, bool *is_kept, double *distance);
+bool oracle_keeps(const OracleTrims *t, bool keep_left, double u, double v, bool *is_kept, double *distance);
 
 #endif

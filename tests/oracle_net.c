@@ -1,31 +1,35 @@
 /* See oracle_net.h. */
 #include "tests/oracle_net.h"
 
-/* The blossom of the i-th unit vector at k - 1 - r times tau[mu] and r times tau[mu+1]: de Boor's scheme with an argument of
- * its own at each level. */
+/* The blossom at k - 1 - r times tau[mu] and r times tau[mu+1]: de Boor's scheme with an argument of its own at each
+ * level. */
+void oracle_bezier_point(int k, const double tau[], int mu, int r, arb_ptr d, arb_t out)
+{
+    arb_t x, lo, hi, f;
+    arb_init(x), arb_init(lo), arb_init(hi), arb_init(f);
+    for (int level = 1; level < k; level++) {
+        arb_set_d(x, level <= r ? tau[mu + 1] : tau[mu]);
+        for (int i = k - 1; i >= level; i--) {
+            int at = mu - k + 1 + i;
+            arb_set_d(lo, tau[at]), arb_set_d(hi, tau[at + k - level]);
+            arb_sub(f, x, lo, ORACLE_BITS), arb_sub(hi, hi, lo, ORACLE_BITS), arb_div(f, f, hi, ORACLE_BITS);
+            arb_sub(hi, d + i, d + i - 1, ORACLE_BITS);   /* d[i-1] + (d[i] - d[i-1]) f */
+            arb_mul(hi, hi, f, ORACLE_BITS), arb_add(d + i, d + i - 1, hi, ORACLE_BITS);
+        }
+    }
+    arb_set(out, d + k - 1);
+    arb_clear(x), arb_clear(lo), arb_clear(hi), arb_clear(f);
+}
+
 void oracle_span_matrix(int k, const double tau[], int mu, arb_ptr m)
 {
     arb_ptr d = _arb_vec_init(k);
-    arb_t x, lo, hi, f, g;
-    arb_init(x), arb_init(lo), arb_init(hi), arb_init(f), arb_init(g);
     for (int r = 0; r < k; r++)
         for (int unit = 0; unit < k; unit++) {
             for (int i = 0; i < k; i++) arb_set_si(d + i, i == unit);
-            for (int level = 1; level < k; level++) {
-                arb_set_d(x, level <= r ? tau[mu + 1] : tau[mu]);
-                for (int i = k - 1; i >= level; i--) {
-                    int at = mu - k + 1 + i;
-                    arb_set_d(lo, tau[at]), arb_set_d(hi, tau[at + k - level]);
-                    arb_sub(f, x, lo, ORACLE_BITS), arb_sub(g, hi, x, ORACLE_BITS), arb_sub(hi, hi, lo, ORACLE_BITS);
-                    arb_mul(f, f, d + i, ORACLE_BITS);
-                    arb_addmul(f, g, d + i - 1, ORACLE_BITS);
-                    arb_div(d + i, f, hi, ORACLE_BITS);
-                }
-            }
-            arb_set(m + r * k + unit, d + k - 1);
+            oracle_bezier_point(k, tau, mu, r, d, m + r * k + unit);
         }
     _arb_vec_clear(d, k);
-    arb_clear(x), arb_clear(lo), arb_clear(hi), arb_clear(f), arb_clear(g);
 }
 
 void oracle_row_halve(arb_ptr c, arb_ptr right, slong stride, int k)

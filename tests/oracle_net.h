@@ -8,7 +8,10 @@
 
 #define ORACLE_BITS 320      /* what is lost by cancelling and dividing leaves far more than 1e-30 */
 
-/* m[r*k + i]: Bezier point r of the span mu is the sum of m times B-spline point mu - k + 1 + i (blossoming). */
+/* Bezier coefficient r of the span mu, from the B-spline coefficients mu - k + 1 ... mu, which are used up. */
+void oracle_bezier_point(int k, const double tau[], int mu, int r, arb_ptr coefficients, arb_t out);
+
+/* m[r*k + i]: what of B-spline coefficient mu - k + 1 + i is in Bezier coefficient r. */
 void oracle_span_matrix(int k, const double tau[], int mu, arb_ptr m);
 
 /* Coefficients c[0], c[stride], ... c[(k-1) stride] of a Bezier polynomial: */

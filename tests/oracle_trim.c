@@ -72,70 +72,48 @@ static Outcome cross_segment(View *e, arb_ptr c, int k, int depth, int *crossing
     return second;
 }
 
+/* A Bezier segment: order points {w u, w v, w}. */
+typedef struct { int k; arb_ptr c; } Segment;
+typedef struct { Segment *segment; int n; double area; } Loop;
+struct OracleTrims { Loop *loop; int n; };
+
 static void set_point(arb_ptr p, Vec3 from)
 {
     arb_set_d(p + 2, from.z), arb_set_d(p, from.x), arb_set_d(p + 1, from.y);
     arb_mul(p, p, p + 2, ORACLE_BITS), arb_mul(p + 1, p + 1, p + 2, ORACLE_BITS);
 }
 
-static Outcome cross_curve(View *e, const TrimCurveDesc *d, int *crossings)
+static arb_ptr add_segment(Loop *l, int k)
 {
-    int k = d->order;
-    arb_ptr m = _arb_vec_init(k * k), p = _arb_vec_init(3 * k), c = _arb_vec_init(3 * k);
-    Outcome outcome = SETTLED;
-    for (int mu = k - 1; mu < d->n && outcome == SETTLED; mu++) {
-        if (!(d->knots[mu] < d->knots[mu + 1])) continue;
-        oracle_span_matrix(k, d->knots, mu, m);
-        for (int i = 0; i < k; i++) set_point(p + 3 * i, d->points[mu - k + 1 + i]);
-        for (int r = 0; r < k; r++) {
-            for (int x = 0; x < 3; x++) arb_dot(c + 3 * r + x, NULL, 0, m + r * k, 1, p + x, 3, k, ORACLE_BITS);
-            look(e, c + 3 * r);
-        }
-        outcome = cross_segment(e, c, k, 0, crossings);
-    }
-    _arb_vec_clear(m, k * k), _arb_vec_clear(p, 3 * k), _arb_vec_clear(c, 3 * k);
-    return outcome;
+    l->segment = realloc(l->segment, (size_t)(l->n + 1) * sizeof *l->segment);
+    if (!l->segment) abort();
+    l->segment[l->n++] = (Segment){ k, _arb_vec_init(3 * k) };
+    return l->segment[l->n - 1].c;
 }
 
-static Outcome cross_line(View *e, Vec3 from, Vec3 to, int *crossings)
+static void add_line(Loop *l, Vec3 from, Vec3 to)
 {
-    arb_ptr c = _arb_vec_init(6);
+    if (from.x == to.x && from.y == to.y) return;
+    arb_ptr c = add_segment(l, 2);
     from.z = to.z = 1;
     set_point(c, from), set_point(c + 3, to);
-    look(e, c), look(e, c + 3);
-    Outcome outcome = cross_segment(e, c, 2, 0, crossings);
-    _arb_vec_clear(c, 6);
-    return outcome;
 }
 
-static Outcome cross_loop(View *e, const TrimLoopDesc *loop, int *crossings)
+static void add_curve(Loop *l, const TrimCurveDesc *d)
 {
-    Outcome outcome = SETTLED;
-    *crossings = 0;
-    const TrimCurveDesc *c = loop->curves;
-    if (loop->is_polyline) {
-        for (int i = 0; i < c->n && outcome == SETTLED; i++)
-            outcome = cross_line(e, c->points[i], c->points[(i + 1) % c->n], crossings);
-        return outcome;
+    int k = d->order;
+    arb_ptr p = _arb_vec_init(3 * k), row = _arb_vec_init(k);
+    for (int mu = k - 1; mu < d->n; mu++) {
+        if (!(d->knots[mu] < d->knots[mu + 1])) continue;
+        arb_ptr c = add_segment(l, k);
+        for (int i = 0; i < k; i++) set_point(p + 3 * i, d->points[mu - k + 1 + i]);
+        for (int x = 0; x < 3; x++)
+            for (int r = 0; r < k; r++) {
+                for (int i = 0; i < k; i++) arb_set(row + i, p + 3 * i + x);
+                oracle_bezier_point(k, d->knots, mu, r, row, c + 3 * r + x);
+            }
     }
-    for (int i = 0; i < loop->n_curves && outcome == SETTLED; i++) {   /* of clamped curves: ends are control points */
-        const TrimCurveDesc *next = &loop->curves[(i + 1) % loop->n_curves];
-        outcome = cross_curve(e, &c[i], crossings);
-        if (outcome == SETTLED) outcome = cross_line(e, c[i].points[c[i].n - 1], next->points[0], crossings);
-    }
-    return outcome;
-}
-
-bool oracle_winding(const TrimLoopDesc *loop, double u, double v, int *winding, double *distance)
-{
-    View e = { .nearest = INFINITY };
-    arb_init(e.u), arb_init(e.v), arb_init(e.x), arb_init(e.y);
-    arb_set_d(e.u, u), arb_set_d(e.v, v);
-    Outcome outcome = UNDECIDED;
-    for (e.turn = 0; e.turn < 4 && outcome == UNDECIDED; e.turn++) outcome = cross_loop(&e, loop, winding);
-    arb_clear(e.u), arb_clear(e.v), arb_clear(e.x), arb_clear(e.y);
-    *distance = e.nearest;
-    return outcome == SETTLED;
+    _arb_vec_clear(p, 3 * k), _arb_vec_clear(row, k);
 }
 
 /* Twice the area of the control polygon: enough to tell which of two nested loops is the inner one. */
@@ -150,21 +128,79 @@ static double area_of(const TrimLoopDesc *loop)
             if (!first) first = p;
             last = p;
         }
-    return sum + last->x * first->y - last->y * first->x;
+    return last ? sum + last->x * first->y - last->y * first->x : 0;
 }
 
-bool oracle_keeps(const TrimLoopDesc *loops, int n, bool keep_left, double u, double v, bool *is_kept, double *distance)
+static void read_loop(const TrimLoopDesc *d, Loop *out)
+{
+    const TrimCurveDesc *c = d->curves;
+    *out = (Loop){ .area = area_of(d) };
+    for (int i = 0; d->is_polyline && i < c->n; i++) add_line(out, c->points[i], c->points[(i + 1) % c->n]);
+    for (int i = 0; !d->is_polyline && i < d->n_curves; i++) {   /* of clamped curves: their ends are control points */
+        add_curve(out, &c[i]);
+        add_line(out, c[i].points[c[i].n - 1], c[(i + 1) % d->n_curves].points[0]);
+    }
+}
+
+OracleTrims *oracle_trims_new(const TrimLoopDesc *loops, int n)
+{
+    OracleTrims *t = malloc(sizeof *t);
+    Loop *list = calloc((size_t)n + 1, sizeof *list);
+    if (!t || !list) abort();
+    *t = (OracleTrims){ list, n };
+    for (int i = 0; i < n; i++) read_loop(&loops[i], &t->loop[i]);
+    return t;
+}
+
+void oracle_trims_free(OracleTrims *t)
+{
+    for (int i = 0; i < t->n; i++) {
+        Loop *l = &t->loop[i];
+        for (int j = 0; j < l->n; j++) _arb_vec_clear(l->segment[j].c, 3 * l->segment[j].k);
+        free(l->segment);
+    }
+    free(t->loop), free(t);
+}
+
+static Outcome cross_loop(View *e, const Loop *l, int *crossings)
+{
+    Outcome outcome = SETTLED;
+    *crossings = 0;
+    for (int i = 0; i < l->n && outcome == SETTLED; i++) {
+        const Segment *s = &l->segment[i];
+        arb_ptr c = _arb_vec_init(3 * s->k);
+        _arb_vec_set(c, s->c, 3 * s->k);
+        for (int r = 0; r < s->k; r++) look(e, c + 3 * r);
+        outcome = cross_segment(e, c, s->k, 0, crossings);
+        _arb_vec_clear(c, 3 * s->k);
+    }
+    return outcome;
+}
+
+bool oracle_winding(const OracleTrims *t, int loop, double u, double v, int *winding, double *distance)
+{
+    View e = { .nearest = INFINITY };
+    arb_init(e.u), arb_init(e.v), arb_init(e.x), arb_init(e.y);
+    arb_set_d(e.u, u), arb_set_d(e.v, v);
+    Outcome outcome = UNDECIDED;
+    for (e.turn = 0; e.turn < 4 && outcome == UNDECIDED; e.turn++) outcome = cross_loop(&e, &t->loop[loop], winding);
+    arb_clear(e.u), arb_clear(e.v), arb_clear(e.x), arb_clear(e.y);
+    *distance = e.nearest;
+    return outcome == SETTLED;
+}
+
+bool oracle_keeps(const OracleTrims *t, bool keep_left, double u, double v, bool *is_kept, double *distance)
 {
     double least = INFINITY, most = 0;
     bool inner = false, outer = true;
     *distance = INFINITY;
-    for (int i = 0; i < n; i++) {
+    for (int i = 0; i < t->n; i++) {
         int winding;
-        if (!oracle_winding(&loops[i], u, v, &winding, distance)) return false;
-        double area = area_of(&loops[i]);
-        bool keeps_inside = (area > 0) == keep_left;
-        if (fabs(area) > most) most = fabs(area), outer = !keeps_inside;   /* the greatest loop is not inside another */
-        if (winding != 0 && fabs(area) < least) least = fabs(area), inner = keeps_inside;
+        if (!oracle_winding(t, i, u, v, &winding, distance)) return false;
+        double area = fabs(t->loop[i].area);
+        bool keeps_inside = (t->loop[i].area > 0) == keep_left;
+        if (area > most) most = area, outer = !keeps_inside;   /* the greatest loop is not inside another */
+        if (winding != 0 && area < least) least = area, inner = keeps_inside;
     }
     *is_kept = least < INFINITY ? inner : outer;
     return true;

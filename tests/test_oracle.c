@@ -196,8 +196,10 @@ static void a_circle_goes_round_its_inside_once(void **state)
         if (quad_abs(beyond) < 4 * 0x1p-53) continue;   /* the control points' own rounding */
         int winding;
         double distance;
-        CHECK(oracle_winding(&loop, p.x, p.y, &winding, &distance), "seed %u: within %g", seed, distance);
+        OracleTrims *o = oracle_trims_new(&loop, 1);
+        CHECK(oracle_winding(o, 0, p.x, p.y, &winding, &distance), "seed %u: within %g", seed, distance);
         CHECK(winding == (beyond > 0 ? 0 : seed & 1 ? -1 : 1), "seed %u: %d at %g", seed, winding, (double)beyond);
+        oracle_trims_free(o);
     }
     arena_free(a);
 }
@@ -209,12 +211,14 @@ static void a_point_on_a_trim_is_too_close_to_tell(void **state)
     static const Vec3 arc[] = { { 0, 0, 1 }, { .5, 1, 1 }, { 1, 0, 1 } }, back[] = { { 1, 0, 1 }, { 0, 0, 1 } };
     const TrimCurveDesc curves[] = { { 3, 3, knots, arc }, { 2, 2, line, back } };
     const TrimLoopDesc loop = { curves, 2, false };   /* v = 2 u (1 - u), clockwise */
+    OracleTrims *o = oracle_trims_new(&loop, 1);
     int winding;
     double distance;
-    CHECK(!oracle_winding(&loop, .25, .375, &winding, &distance), "winding %d", winding);
+    CHECK(!oracle_winding(o, 0, .25, .375, &winding, &distance), "winding %d", winding);
     CHECK_WITHIN(distance, 1e-30, "on the arc");
-    CHECK(oracle_winding(&loop, .25, nextafter(.375, 0), &winding, &distance) && winding == -1, "%d", winding);
-    CHECK(oracle_winding(&loop, .25, nextafter(.375, 1), &winding, &distance) && winding == 0, "%d", winding);
+    CHECK(oracle_winding(o, 0, .25, nextafter(.375, 0), &winding, &distance) && winding == -1, "%d", winding);
+    CHECK(oracle_winding(o, 0, .25, nextafter(.375, 1), &winding, &distance) && winding == 0, "%d", winding);
+    oracle_trims_free(o);
 }
 
 static void nested_trims_keep_what_their_directions_say(void **state)
@@ -225,12 +229,14 @@ static void nested_trims_keep_what_their_directions_say(void **state)
                                    circle(a, vec2(.5, .5), .1, true) };
     static const double at[4] = { .05, .15, .3, .45 };
     static const bool kept[4] = { false, true, false, true };
+    OracleTrims *o = oracle_trims_new(loops, 3);
     for (int i = 0; i < 4; i++) {
         bool is_kept;
         double distance;
-        CHECK(oracle_keeps(loops, 3, false, at[i], .5, &is_kept, &distance) && is_kept == kept[i], "ring %d", i);
-        CHECK(oracle_keeps(loops, 3, true, at[i], .5, &is_kept, &distance) && is_kept != kept[i], "ring %d, left", i);
+        CHECK(oracle_keeps(o, false, at[i], .5, &is_kept, &distance) && is_kept == kept[i], "ring %d", i);
+        CHECK(oracle_keeps(o, true, at[i], .5, &is_kept, &distance) && is_kept != kept[i], "ring %d, left", i);
     }
+    oracle_trims_free(o);
     arena_free(a);
 }
 

@@ -277,7 +277,8 @@ static bool is_empty(const Clipped *c) { return c->s.lo > c->s.hi || c->t.lo > c
 
 static Range meet(Range a, Range b) { return (Range){ double_max(a.lo, b.lo), double_min(a.hi, b.hi) }; }
 
-/* g = m1 a + m2 b, in scratch memory. */
+/* g = m1 a + m2 b, in scratch memory. The error of (a, b) is that of a point in space, seen along two perpendicular directions:
+ * its length is within `error`, so that of g is within error * hypot(m1, m2). */
 static double *combine(const Clip *k, const Net *n, double m1, double m2)
 {
     double *g = ARENA_ARRAY(k->trace->scratch, double, k->n);
@@ -302,8 +303,7 @@ static Clipped clip_by_inverse(const Clip *k, Net *n, const Mean *m, double erro
 {
     double a11 = m->b_t / m->det, a12 = -m->a_t / m->det, a21 = -m->b_s / m->det, a22 = m->a_s / m->det;
     double *g1 = combine(k, n, a11, a12), *g2 = combine(k, n, a21, a22);
-    Clipped out = { clip_range(k, g1, error * (fabs(a11) + fabs(a12)), true),
-                    clip_range(k, g2, error * (fabs(a21) + fabs(a22)), false) };
+    Clipped out = { clip_range(k, g1, error * hypot(a11, a12), true), clip_range(k, g2, error * hypot(a21, a22), false) };
     if (!n->is_certified) {   /* |I - A J| < 1 in the maximum norm, from the Bernstein coefficients of A J */
         double ss, st, ts, tt;
         derivative_spread(k, g1, 1, 0, &ss, &st);
@@ -320,7 +320,6 @@ static Clipped clip_by_turning(const Clip *k, const Net *n, const Mean *m, doubl
     double aa = m->a_s * m->a_s + m->a_t * m->a_t, bb = m->b_s * m->b_s + m->b_t * m->b_t;
     double angle = 0.5 * atan2(2 * (m->a_s * m->b_s + m->a_t * m->b_t), aa - bb), c = cos(angle), s = sin(angle);
     double *along = combine(k, n, c, s), *across = combine(k, n, -s, c);
-    error *= fabs(c) + fabs(s);
     return (Clipped){ meet(clip_range(k, along, error, true), clip_range(k, across, error, true)),
                       meet(clip_range(k, along, error, false), clip_range(k, across, error, false)) };
 }

@@ -35,5 +35,6 @@ int cmd_check(const Options *o);
 int cmd_shoot(const Options *o);
 int cmd_export(const Options *o);
 int cmd_compare(const Options *o);
+int cmd_report(const Options *o);
 
 #endif

@@ -14,6 +14,7 @@ static int dispatch(const Options *o)
     case COMMAND_SHOOT: return cmd_shoot(o);
     case COMMAND_EXPORT: return cmd_export(o);
     case COMMAND_COMPARE: return cmd_compare(o);
+    case COMMAND_REPORT: return cmd_report(o);
     }
     return EXIT_USAGE;
 }

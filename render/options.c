@@ -182,7 +182,8 @@ static bool set_unsupported(Options *o, const Row *row, const char *value, bool 
 
 enum {
     R = COMMAND_RENDER, C = COMMAND_CHECK, S = COMMAND_SHOOT, X = COMMAND_EXPORT, M = COMMAND_COMPARE,
-    ALL = R | C | S | X,     /* that read a scene */
+    E = COMMAND_REPORT,
+    ALL = R | C | S | X | E, /* that read a scene */
     EVERY = ALL | M
 };
 
@@ -196,10 +197,11 @@ enum {
 
 static const Row table[] = {
     { "I", "Input_File_Name", "input", "SCENE", ALL, "the scene, as a bare name is; .pov may be left out", TEXT(input) },
-    { "O", "Output_File_Name", "output", "FILE", R | S | X,
-      "the picture (default: beside the scene, as .png), shoot's hits, export's file; -: standard output", TEXT(output) },
-    { "W", "Width", "width", "N", ALL, "width of the picture in pixels (default 800)", WHOLE(width, 1, MAX_SIZE) },
-    { "H", "Height", "height", "N", ALL, "height of the picture (default 600)", WHOLE(height, 1, MAX_SIZE) },
+    { "O", "Output_File_Name", "output", "FILE", R | S | X | E,
+      "the picture (default: beside the scene, as .png), shoot's hits, export's file (-: standard output), report's folder",
+      TEXT(output) },
+    { "W", "Width", "width", "N", ALL, "width of the picture in pixels (default 800, report: 512)", WHOLE(width, 1, MAX_SIZE) },
+    { "H", "Height", "height", "N", ALL, "height of the picture (default 600, report: 384)", WHOLE(height, 1, MAX_SIZE) },
     { "F", NULL, NULL, "N[8|16]", R, "PNG with 8 (default) or 16 bits a channel; -F: no picture", CUSTOM(set_file_type) },
     { NULL, "Output_File_Type", NULL, "N", R, NULL, CUSTOM(set_file_type) },
     { NULL, "Output_To_File", NULL, NULL, R, NULL, CUSTOM(set_output_to_file) },
@@ -225,8 +227,8 @@ static const Row table[] = {
     { "EC", "End_Column", NULL, "X", R, "... to this one; the rest of the picture is black", REAL(end_column, 0, MAX_SIZE) },
     { "SR", "Start_Row", NULL, "Y", R, "render from this row", REAL(start_row, 0, MAX_SIZE) },
     { "ER", "End_Row", NULL, "Y", R, "... to this one", REAL(end_row, 0, MAX_SIZE) },
-    { "WT", "Work_Threads", "threads", "N", R | S, "threads (default: all cores); results do not depend on it",
-      WHOLE(n_threads, 1, MAX_THREADS) },
+    { "WT", "Work_Threads", "threads", "N", R | S | E,
+      "threads (default: all cores, report: 1); results do not depend on it", WHOLE(n_threads, 1, MAX_THREADS) },
     { "L", "Library_Path", "library", "FOLDER", ALL, "where included files are looked for; may be repeated",
       CUSTOM(set_library) },
     { NULL, "Declare", "declare", "Name=X", ALL, "declare a number before the scene is read", CUSTOM(set_declare) },
@@ -248,6 +250,8 @@ static const Row table[] = {
     { NULL, NULL, "diff", "FILE", M, "a picture of the differences", TEXT(diff) },
     { NULL, NULL, "within", "L", M, "how far channels may differ, in steps of 1/255 (default 1)", REAL(within, 0, 255) },
     { NULL, NULL, "share", "S", M, "in which share of the pixels they must be so near (default 1: all)", REAL(share, 0, 1) },
+    { NULL, NULL, "quick", NULL, E, "few settings and a small picture: within a minute", FLAG(is_quick) },
+    { NULL, NULL, "runs", "N", E, "how often each setting is timed (default 5; quick: 3)", WHOLE(n_runs, 1, 1000) },
     { "V", "Verbose", "verbose", NULL, ALL, "tell more, on the standard error", FLAG(is_verbose) },
     { NULL, NULL, "quiet", NULL, EVERY, "tell errors only", FLAG(is_quiet) },
     { "D", "Display", NULL, NULL, R, "read for POV-Ray's sake: there is no display", CUSTOM(set_nothing) },
@@ -268,6 +272,7 @@ static const struct { const char *name; Command command; const char *help; } com
     { "shoot", COMMAND_SHOOT, "hits of given rays: trimray shoot SCENE.pov --rays R.bin --out H.bin" },
     { "export", COMMAND_EXPORT, "the scene with meshes: trimray export SCENE.pov -o OUT.pov (or .obj, .stl)" },
     { "compare", COMMAND_COMPARE, "how two pictures differ: trimray compare A.png B.png; status 1: more than allowed" },
+    { "report", COMMAND_REPORT, "error against run time, as a page: trimray report SCENE.pov... -o FOLDER" },
 };
 enum { N_COMMANDS = sizeof commands / sizeof *commands };
 
@@ -351,6 +356,10 @@ static bool read_scene_name(Options *o, const char *word)
         o->other = word;
         return true;
     }
+    if (o->command == COMMAND_REPORT) {
+        ARENA_PUSH(o->arena, o->inputs, o->n_inputs, o->inputs_capacity) = o->input = word;
+        return true;
+    }
     if (o->input) return FAIL(o, "one scene at a time, and %s is named already", o->input);
     o->input = word;
     return true;
@@ -415,6 +424,7 @@ bool options_read(int argc, char *const argv[], Arena *a, Options *o)
     char *const *next = argv, *const *end = argv + argc;
     for (int i = 0; next == argv && argc > 0 && i < N_COMMANDS; i++)
         if (strcmp(argv[0], commands[i].name) == 0) o->command = commands[i].command, next++;
+    if (o->command == COMMAND_REPORT) o->width = o->height = 0;   /* chosen there */
     while (next < end) {
         const char *argument = *next++;
         if (!read_argument(o, argument, &next, end)) return FAIL(o, "%s: %s", argument, o->error);
@@ -423,6 +433,8 @@ bool options_read(int argc, char *const argv[], Arena *a, Options *o)
     if (o->command == COMMAND_COMPARE) return o->other || FAIL(o, "compare needs two pictures");
     if (!o->input) return FAIL(o, "no scene given");
     if (o->command == COMMAND_EXPORT && !o->output) return FAIL(o, "export needs -o FILE");
+    if (o->command == COMMAND_REPORT && !o->output) return FAIL(o, "report needs -o FOLDER");
+    if (o->command == COMMAND_REPORT && !o->n_inputs) read_scene_name(o, o->input);   /* it came by +I */
     return o->command != COMMAND_SHOOT || o->rays || FAIL(o, "shoot needs --rays FILE");
 }
 

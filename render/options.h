@@ -9,7 +9,7 @@
 #include <stdio.h>
 
 typedef enum {   /* bits, for the table */
-    COMMAND_RENDER = 1, COMMAND_CHECK = 2, COMMAND_SHOOT = 4, COMMAND_EXPORT = 8, COMMAND_COMPARE = 16
+    COMMAND_RENDER = 1, COMMAND_CHECK = 2, COMMAND_SHOOT = 4, COMMAND_EXPORT = 8, COMMAND_COMPARE = 16, COMMAND_REPORT = 32
 } Command;
 
 typedef struct {
@@ -17,6 +17,8 @@ typedef struct {
     bool wants_help, wants_version;
     const char *input;               /* the scene; NULL: none named */
     const char *other;               /* compare: the second picture */
+    const char **inputs;             /* report: all scenes */
+    size_t n_inputs, inputs_capacity;
     const char *output;              /* NULL: not named; "-": the standard output */
     bool no_output;                  /* -F: nothing is written */
     int width, height;
@@ -40,6 +42,8 @@ typedef struct {
     const char *diff;                /* compare: a picture of the differences; NULL: none */
     double within, share;            /* compare: steps of 1/255, share of the pixels */
     const char *rays;                /* shoot: the file of rays */
+    bool is_quick;                   /* report */
+    int n_runs;                      /* report: of each setting; 0: chosen */
     bool is_verbose, is_quiet;
     const char *error;               /* set when options_read returned false: what is wrong, in one line */
     int n_inis;                      /* INI files that are being read, one from within another */

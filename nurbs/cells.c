@@ -5,7 +5,7 @@
  * sum c_i (u_i - u)^2 <= a^2 / 4 for numbers within an interval of length a, and likewise for v and, by Cauchy and Schwarz,
  * for the product,
  *     |T - S| <= (a^2 max|S_uu| + 2 a b max|S_uv| + b^2 max|S_vv|) / 8
- * whatever the triangle's form ([Filip, Magedson, Markot 86] have it for right triangles). So cells may be triangulated as
+ * whatever the triangle's form ([FMM86] have it for right triangles). So cells may be triangulated as
  * their neighbours and the trims want it. */
 #include "nurbs/cells.h"
 

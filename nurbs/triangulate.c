@@ -1,5 +1,5 @@
 /* Points are added by splitting the triangle or the edge that they lie in or on. A segment becomes an edge by turning the
- * edges that it crosses, each in its quadrilateral, until none is left ([Sloan 93]). Triangles are few (a cell's), so that
+ * edges that it crosses, each in its quadrilateral, until none is left ([Slo93]). Triangles are few (a cell's), so that
  * what is asked seldom is found by looking at all of them. */
 #include "nurbs/triangulate.h"
 

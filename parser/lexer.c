@@ -1,6 +1,6 @@
 /* The lexer. POV-Ray's rules: numbers have no sign, words are [A-Za-z_][A-Za-z0-9_]*, strings may run over lines and keep
  * their escapes, comments nest. Numbers are correctly rounded: a decimal of up to 2^53 with an exponent of up to 22 is one
- * exact operation ([Clinger90]), all others go to strtod. */
+ * exact operation ([Cli90]), all others go to strtod. */
 #include "parser/lexer.h"
 
 #include <stdlib.h>

@@ -17,7 +17,7 @@ static double largest_difference(const Image *a, const Image *b, size_t pixel)
     return most;
 }
 
-/* ---- structural similarity: [Wang, Bovik, Sheikh, Simoncelli 04], its window and its constants ---- */
+/* ---- structural similarity: [WBSS04], its window and its constants ---- */
 
 enum { RADIUS = 5 };
 static const double SIGMA = 1.5, K1 = .01, K2 = .03;

@@ -33,7 +33,7 @@ static ExportShape *add(ExportList *l, const Shape *s)
     return &l->shapes[l->n - 1];
 }
 
-/* The largest singular value: the root of the largest eigenvalue of the symmetric A A', by its closed form ([Smith 61]). */
+/* The largest singular value: the root of the largest eigenvalue of the symmetric A A', by its closed form ([Smi61]). */
 static double stretch(const Affine *a)
 {
     double s[3][3], spread = 0, off = 0;

@@ -10,7 +10,7 @@
  *             what shrinks with the square of the box;
  *   certify   with A the inverse Jacobian at a Newton iterate x, on the box X = x +- h (over as many spans as it meets,
  *             beyond the domain too): if |A F(x)| + |I - A J(X)| h < h, then there is one root in X, and but one
- *             ([Krawczyk 69]; J is the hull of the Jacobians, which makes it hold across knots where the surface is only
+ *             ([Kra69]; J is the hull of the Jacobians, which makes it hold across knots where the surface is only
  *             continuous).
  *
  * A ray moved by up to `band` is F + e w with |e1|, |e2| <= band, in both tests. */

@@ -1,4 +1,4 @@
-/* Thinning by [Douglas, Peucker 73], in space: the distance of a point from a chord is that to the image of the chord's
+/* Thinning by [DP73], in space: the distance of a point from a chord is that to the image of the chord's
  * point that is nearest on the tangent plane. Trims are dense by themselves (TRIM_CHORD) where they are curved. The thinned
  * loops get a tree of their own, so that sides are judged by what the segments are and not by what they were. */
 #include "nurbs/trim_thin.h"
@@ -36,32 +36,48 @@ static Point point_at(const Grid *g, Vec2 unit)
     return (Point){ unit, at.point, vec_scale(at.s_u, s->u1 - s->u0), vec_scale(at.s_v, s->v1 - s->v0) };
 }
 
-static double distance(const Grid *g, const Point *p, Vec2 a, Vec2 b)
+/* Where on the chord from a to b, 0 to 1, the point is nearest, on the tangent plane. */
+static double share_of(const Point *p, Vec2 a, Vec2 b)
 {
     Vec2 to = vec2_sub(p->p, a), along = vec2_sub(b, a);
     Vec3 x = vec_add(vec_scale(p->s_u, to.x), vec_scale(p->s_v, to.y));
     Vec3 d = vec_add(vec_scale(p->s_u, along.x), vec_scale(p->s_v, along.y));
     double length2 = vec_length2(d);
-    double share = length2 > 0 ? fmin(fmax(vec_dot(x, d) / length2, 0), 1) : 0;
-    Point foot = point_at(g, vec2_add(a, vec2_scale(along, share)));
-    return vec_length(vec_sub(p->point, foot.point));
+    return length2 > 0 ? fmin(fmax(vec_dot(x, d) / length2, 0), 1) : 0;
 }
+
+static double distance(const Grid *g, Vec3 from, Vec2 to) { return vec_length(vec_sub(from, point_at(g, to).point)); }
 
 typedef struct { int from, to; } Run;
 typedef struct { Run *runs; size_t n, capacity; } RunList;
 
+/* Of the points between the run's ends, the one that is worst served by their chord; -1: all are served well. The chord's own
+ * part between what is nearest to two neighbours must be near, too: where a border is nearly a point, others may be within
+ * the error of some point of the chord while much of it is far from all. */
+static int worst_point(const Thinning *t, const Point *p, Run r)
+{
+    Vec2 a = p[r.from].p, b = p[r.to].p;
+    int worst = -1;
+    double most = t->error, last = 0;
+    for (int i = r.from + 1; i <= r.to; i++) {
+        double share = i < r.to ? share_of(&p[i], a, b) : 1, between = (last + share) / 2;
+        Vec2 foot = vec2_add(a, vec2_scale(vec2_sub(b, a), share)), half = vec2_add(a, vec2_scale(vec2_sub(b, a), between));
+        Vec2 middle = vec2_scale(vec2_add(p[i - 1].p, p[i].p), 0.5);
+        double d = distance(t->grid, p[i].point, foot), d_half = distance(t->grid, point_at(t->grid, middle).point, half);
+        if (i < r.to && d > most) most = d, worst = i;
+        if (d_half > most && r.to - r.from > 1) most = d_half, worst = i < r.to ? i : i - 1;
+        last = share;
+    }
+    return worst;
+}
+
 static void keep_between(Thinning *t, const Point *p, bool *keep, Run r, RunList *todo)
 {
-    int farthest = -1;
-    double most = t->error;
-    for (int i = r.from + 1; i < r.to; i++) {
-        double d = distance(t->grid, &p[i], p[r.from].p, p[r.to].p);
-        if (d > most) most = d, farthest = i;
-    }
-    if (farthest < 0) return;
-    keep[farthest] = true;
-    ARENA_PUSH(t->scratch, todo->runs, todo->n, todo->capacity) = (Run){ r.from, farthest };
-    ARENA_PUSH(t->scratch, todo->runs, todo->n, todo->capacity) = (Run){ farthest, r.to };
+    int worst = worst_point(t, p, r);
+    if (worst < 0) return;
+    keep[worst] = true;
+    ARENA_PUSH(t->scratch, todo->runs, todo->n, todo->capacity) = (Run){ r.from, worst };
+    ARENA_PUSH(t->scratch, todo->runs, todo->n, todo->capacity) = (Run){ worst, r.to };
 }
 
 static int farthest_from_point(const Point *p, int n, Vec2 from)
@@ -167,18 +183,46 @@ static void add_loop(Thinning *t, const Point *p, int n, const bool *keep)
     ARENA_PUSH(t->scratch, t->loops, t->n_loops, t->loops_capacity) = loop;
 }
 
+typedef struct { Point *points; size_t n, capacity; } PointList;
+
+/* How many spans lie between two parameters, fractions included. */
+static double spans_between(const GridAxis *axis, double a, double b)
+{
+    int i = grid_span(axis, a), j = grid_span(axis, b);
+    double steps = (double)(grid_local(axis, j, b) - grid_local(axis, i, a)) / (double)GRID_SPAN;
+    return fabs(j - i + steps);
+}
+
+/* Straight pieces are long, but their images bend with the surface: they get points along them too. */
+static void add_piece(Thinning *t, Vec2 from, Vec2 to, PointList *out)
+{
+    static const double POINTS_PER_SPAN = 32;
+    const Surface *s = t->grid->s;
+    TrimRect domain = { s->u0, s->u1, s->v0, s->v1 };
+    Vec2 p = trim_from_unit(&domain, from), q = trim_from_unit(&domain, to), along = vec2_sub(to, from);
+    double spans = fmax(spans_between(&t->grid->u, p.x, q.x), spans_between(&t->grid->v, p.y, q.y));
+    int n = (int)ceil(spans * POINTS_PER_SPAN);
+    for (int i = 0; i < n || i == 0; i++) {
+        Vec2 at = i == 0 ? from : vec2_add(from, vec2_scale(along, (double)i / n));
+        ARENA_PUSH(t->scratch, out->points, out->n, out->capacity) = point_at(t->grid, at);
+    }
+}
+
 static void thin_chain(Thinning *t, const TrimChain *exact)
 {
     TrimChain flat = trim_chain_flatten(t->scratch, exact, TRIM_CHORD);
-    const TrimPath *c = &flat.path;
     const Surface *s = t->grid->s;
     TrimRect domain = { s->u0, s->u1, s->v0, s->v1 };
-    Point *p = ARENA_ARRAY(t->scratch, Point, c->n + 1);
-    bool *keep = ARENA_ARRAY(t->scratch, bool, c->n + 1);
-    for (int i = 0; i <= c->n; i++) p[i] = point_at(t->grid, c->p[i]);
-    mark_kept(t, p, c->n, keep);
-    add_loop(t, p, c->n, keep);
-    for (int i = 1, last = 0; i <= c->n; i++) {
+    PointList list = { 0 };
+    for (int i = 0; i < flat.path.n; i++) add_piece(t, flat.path.p[i], flat.path.p[i + 1], &list);
+    const Point first = list.points[0];
+    ARENA_PUSH(t->scratch, list.points, list.n, list.capacity) = first;
+    const Point *p = list.points;
+    int n = (int)list.n - 1;
+    bool *keep = ARENA_ARRAY(t->scratch, bool, n + 1);
+    mark_kept(t, p, n, keep);
+    add_loop(t, p, n, keep);
+    for (int i = 1, last = 0; i <= n; i++) {
         if (!keep[i]) continue;
         ArenaMark mark = arena_mark(t->arena);
         place_piece(t, trim_from_unit(&domain, p[last].p), trim_from_unit(&domain, p[i].p));

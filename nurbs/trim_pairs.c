@@ -136,9 +136,10 @@ static bool part_ways(const Part *s, const Part *t)
         || (su == 0 && tv == 0) || (sv == 0 && tu == 0);
 }
 
+/* Also where one stays so near to the vertex that its excursions beyond the other do not count. */
 static bool neighbours_are_apart(Pairing *p, const Part *s, const Part *t)
 {
-    if (part_ways(s, t) || fmax(size_of(s), size_of(t)) <= p->near) return true;
+    if (part_ways(s, t) || fmin(size_of(s), size_of(t)) <= p->near) return true;
     if (--p->budget < 0) return false;
     Part far_s, near_s, near_t, far_t;
     halve(s, &far_s, &near_s);

@@ -9,8 +9,8 @@
 typedef bool (*TrimPairVisit)(void *context, int i, int j);
 bool trim_chains_meet(const TrimChain *a, const TrimChain *b, TrimPairVisit visit, void *context);
 
-/* Certainly apart? With a == b: do pieces meet nowhere but neighbours at their common vertex and within `near` of it? For any
- * pieces; false only says that a closer look is due. */
+/* Certainly apart? With a == b: do pieces meet nowhere but at vertices that neighbours have in common, except by excursions
+ * that stay within `near` of these? For any pieces; false only says that a closer look is due. */
 bool trim_chains_are_apart(const TrimChain *a, const TrimChain *b, double near);
 
 #endif

@@ -60,7 +60,7 @@ static void read_span(Reader *r, int curve, int s)
     trim_curve_segment(c, &r->in->domain, s, control);
     if (trim_curve_starts_at(c, s)) {
         ARENA_PUSH(r->arena, r->strands, r->n_strands, r->strands_capacity) = (Strand){ r->steps->n, curve };
-        add_step(r, rounded(project(control[0])));
+        add_step(r, k > 2 ? project(control[0]) : rounded(project(control[0])));
     }
     if (k > 2) {
         TrimStep *last = &r->steps->step[r->steps->n - 1];
@@ -110,11 +110,20 @@ static void move_end(TrimStep *at, TrimStep *curve, bool is_last, Vec2 p)
     c->x = wide_mul(wide(p.x), c->w), c->y = wide_mul(wide(p.y), c->w);
 }
 
+/* Exact already, between curves, and not beside a border: neither needs to be moved. */
+static bool is_closed(const TrimStep *last, const TrimStep *first)
+{
+    Vec2 p = wide_point_round(first->p);
+    return last[-1].control && first->control && on_border(p.x) == p.x && on_border(p.y) == p.y
+        && last->p.x.hi == p.x && last->p.x.lo == first->p.x.lo && last->p.y.hi == p.y && last->p.y.lo == first->p.y.lo;
+}
+
 /* The joint before strand i. A bridge needs no step of its own: the ends follow each other. */
 static bool close_joint(Reader *r, size_t i)
 {
     TrimStep *steps = r->steps->step;
     size_t last = i > 0 ? r->strands[i].first - 1 : r->steps->n - 1, first = r->strands[i].first;
+    if (is_closed(&steps[last], &steps[first])) return true;
     Vec2 from = wide_point_round(steps[last].p), to = wide_point_round(steps[first].p);
     double gap = fmax(fabs(to.x - from.x), fabs(to.y - from.y));
     if (gap <= TRIM_SILENT) from = to = vec2((from.x + to.x) / 2, (from.y + to.y) / 2);

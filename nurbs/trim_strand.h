@@ -11,7 +11,7 @@
 typedef struct { double value; Vec2 at; } TrimFault;   /* value 0: none */
 
 /* From p to the p of the next step (the last: to the first): straight, or a Bézier curve with k control points. The ends of
- * straight steps and of strands (maximal runs without a joint) are doubles. */
+ * straight steps are doubles, and those of strands (maximal runs without a joint) that were moved. */
 typedef struct {
     WidePoint p;
     int k;

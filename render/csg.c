@@ -152,7 +152,8 @@ static const Tied *changing(const Csg *c, const Place *p)
     return (c->is_merge ? was_any != is_any : was_all != is_all) ? last : NULL;
 }
 
-/* A surface that nothing changes at, touched by others: an intersection keeps it if it is inside them on one side at least. */
+/* A surface that nothing changes at, touched by others: an intersection keeps it if it is inside them on one side. */
+ * least. */
 static bool sheet_is_kept(const Csg *c, const Place *p, const Tied *sheet)
 {
     if (sheet->n_hits != 1 || sheet->was_inside != sheet->is_inside) return false;

@@ -12,7 +12,7 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { SHORT_RAYS = 400, RAYS_PER_MODEL = 50, FAILURES_PER_FAMILY = 5, PATIENCE = 20 /* seconds for one ray */ };
+enum { SHORT_RAYS = 800, RAYS_PER_MODEL = 100, FAILURES_PER_FAMILY = 5, PATIENCE = 20 /* seconds for one ray */ };
 #define SLOW 0.01   /* seconds: such rays are reported among the failures, though they count as right */
 
 typedef struct {
@@ -37,12 +37,16 @@ static void bark(int signal_number)
 
 static const char *const method_name[N_METHODS] = { "paper", "certain" };
 
-static void report_failure(const Options *o, const Family *f, double knob, int *count, const Model *m, const Ray *r,
+typedef struct { int wrong, slow; } Reported;
+
+static void report_failure(const Options *o, const Family *f, double knob, Reported *count, const Model *m, const Ray *r,
                            const Truth *truth, Verdict v)
 {
-    if (!o->failures || ++*count > FAILURES_PER_FAMILY) return;
+    bool is_slow = v.judgement <= JUDGED_IN_BAND;
+    int n = is_slow ? ++count->slow : ++count->wrong;
+    if (!o->failures || n > FAILURES_PER_FAMILY) return;
     char path[1024];
-    snprintf(path, sizeof path, "%s/%s-%g-%d.c", o->failures, f->name, knob, *count);
+    snprintf(path, sizeof path, "%s/%s-%g-%s%d.c", o->failures, f->name, knob, is_slow ? "slow-" : "", n);
     for (char *c = path + strlen(o->failures); *c; c++)
         if (*c == ' ') *c = '-';
     FILE *to = fopen(path, "w");
@@ -61,7 +65,7 @@ static void choose_start(Ray *r, const Truth *truth, TestRandom *random)
 }
 
 static void run_model(const Options *o, const Family *f, double knob, const Model *m, int rays, TestRandom *random,
-                      Row rows[N_METHODS], int *failures)
+                      Row rows[N_METHODS], Reported *failures)
 {
     Trace trace;
     memset(&trace, 0, sizeof trace);
@@ -88,7 +92,7 @@ static void run_knob(const Options *o, const Family *f, int which, Row rows[N_ME
 {
     TestRandom random = test_random(o->seed * 1000003 + (uint64_t)which);
     for (const char *c = f->name; *c; c++) random.state = random.state * 31 + (uint64_t)*c;
-    int failures = 0;
+    Reported failures = { 0, 0 };
     for (long left = (long)(o->rays * f->share); left > 0; left -= RAYS_PER_MODEL) {
         Arena *a = arena_new();
         Model m = f->build(a, f->values[which], &random);

@@ -61,7 +61,8 @@ static int worst_point(const Thinning *t, const Point *p, Run r)
     double most = t->error, last = 0;
     for (int i = r.from + 1; i <= r.to; i++) {
         double share = i < r.to ? share_of(&p[i], a, b) : 1, between = (last + share) / 2;
-        Vec2 foot = vec2_add(a, vec2_scale(vec2_sub(b, a), share)), half = vec2_add(a, vec2_scale(vec2_sub(b, a), between));
+        Vec2 foot = vec2_add(a, vec2_scale(vec2_sub(b, a), share));
+        Vec2 half = vec2_add(a, vec2_scale(vec2_sub(b, a), between));
         Vec2 middle = vec2_scale(vec2_add(p[i - 1].p, p[i].p), 0.5);
         double d = distance(t->grid, p[i].point, foot), d_half = distance(t->grid, point_at(t->grid, middle).point, half);
         if (i < r.to && d > most) most = d, worst = i;

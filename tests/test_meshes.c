@@ -23,8 +23,8 @@ static Scene *read_scene(Arena *a, const char *name)
     return scene;
 }
 
-/* A trim in space: the images of points close together; is_inner: not on the domain's border, where it may be that nothing is
- * open (a seam). */
+/* A trim in space: the images of points close together; is_inner: not on the domain's border, where it may be that nothing
+ * is open (a seam). */
 typedef struct { Vec3 p; bool is_inner, is_last; } TrimPoint;
 typedef struct { TrimPoint *points; size_t n, capacity; } TrimPoints3;
 

@@ -152,7 +152,7 @@ static const Tied *changing(const Csg *c, const Place *p)
     return (c->is_merge ? was_any != is_any : was_all != is_all) ? last : NULL;
 }
 
-/* A surface that nothing changes at, touched by others: an intersection keeps it if it is inside them on one side. */
+/* A surface that nothing changes at, touched by others: an intersection keeps it if it is inside them on one side at
  * least. */
 static bool sheet_is_kept(const Csg *c, const Place *p, const Tied *sheet)
 {

@@ -69,7 +69,8 @@ typedef struct Engine Engine;
 struct Engine {
     /* Every stride-th ray of the set: t[0], t[1], ...: the depth, INFINITY for a miss; with t_max: 0 blocked, INFINITY free. */
     void (*shoot)(Engine *e, const RaySet *set, size_t stride, double *t);
-    double (*test_seconds)(Engine *e, const RaySet *set, size_t stride, double *t);   /* average of a leaf test; NULL: none */
+    /* The same; seconds of all leaf tests, and how many they were. NULL: it has none. */
+    double (*test_seconds)(Engine *e, const RaySet *set, size_t stride, double *t, uint64_t *n_tests);
     void (*release)(Engine *e);
     EngineCost cost;
 };

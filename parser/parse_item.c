@@ -38,8 +38,9 @@ static Value item_camera(Parser *p)
 static Value item_light(Parser *p)
 {
     Light *l = ARENA_NEW(parser_arena(p), Light);
-    parse_light(p, l);
-    return (Value){ .kind = VALUE_LIGHT, .light = l };
+    Object *look = parse_light(p, l);
+    if (!look) return (Value){ .kind = VALUE_LIGHT, .light = l };
+    return (Value){ .kind = VALUE_OBJECT, .object = light_as_object(p, l, look) };
 }
 
 static Value item_color_map(Parser *p)
@@ -121,12 +122,24 @@ static void state_camera(Parser *p, Place where)
     }
 }
 
+/* An object without a texture has the default of this place in the file; it does not move with the object (measured with
+ * POV-Ray 3.7). */
+static void add_object(Parser *p, Object *o)
+{
+    if (!o->texture) {
+        o->texture = parser_scene(p)->default_texture;
+        o->texture_space = xform_identity();
+    }
+    scene_add_object(parser_scene(p), o);
+}
+
 static void state_light(Parser *p, Place where)
 {
     (void)where;
     Light l;
-    parse_light(p, &l);
+    Object *look = parse_light(p, &l);
     scene_add_light(parser_scene(p), &l);
+    if (look) add_object(p, look);
 }
 
 static void state_sky_sphere(Parser *p, Place where)
@@ -175,17 +188,6 @@ static const struct {
     { "global_settings", state_global_settings }, { "sky_sphere", state_sky_sphere }, { "fog", state_fog },
     { "default", state_default },
 };
-
-/* An object without a texture has the default of this place in the file; it does not move with the object (measured with
- * POV-Ray 3.7). */
-static void add_object(Parser *p, Object *o)
-{
-    if (!o->texture) {
-        o->texture = parser_scene(p)->default_texture;
-        o->texture_space = xform_identity();
-    }
-    scene_add_object(parser_scene(p), o);
-}
 
 void parse_statement(Parser *p)
 {

@@ -56,20 +56,30 @@ static const struct {
 /* jitter: POV-Ray's comes from an internal table and cannot be repeated; the rest matters to media and photons alone. */
 static const char *const left_out[] = { "jitter", "media_interaction", "media_attenuation", "photons", NULL };
 
-static void transform(Light *l, const Xform *x)
+/* looks_like { OBJECT }: seen where the light is, without a shadow of its own. */
+static Object *read_look(Parser *p, const Light *l)
 {
-    l->position = xform_point(x, l->position);
-    l->point_at = xform_point(x, l->point_at);
-    l->area_u = xform_vector(x, l->area_u);
-    l->area_v = xform_vector(x, l->area_v);
+    Place opened = expect_open(p, "looks_like");
+    Object *look = parse_any_object(p);
+    if (!look) parse_fail_expected(p, "an object");
+    expect_close(p, '}', "looks_like", opened);
+    Xform x = xform_translate(l->position);
+    object_transform(look, &x);
+    look->no_shadow = true;
+    return look;
 }
 
-static bool read_item(Parser *p, Light *l)
+static bool read_item(Parser *p, Light *l, Object **look)
 {
     Token t = peek(p);
     Xform x = xform_identity();
     if (parse_transformation(p, &x)) {
-        transform(l, &x);
+        light_transform(l, &x);
+        if (*look) object_transform(*look, &x);
+        return true;
+    }
+    if (!*look && accept_word(p, "looks_like")) {
+        *look = read_look(p, l);
         return true;
     }
     for (size_t i = 0; t.kind == TOKEN_WORD && i < sizeof words / sizeof *words; i++) {
@@ -81,9 +91,10 @@ static bool read_item(Parser *p, Light *l)
     return parse_left_out(p, left_out);
 }
 
-void parse_light(Parser *p, Light *out)
+Object *parse_light(Parser *p, Light *out)
 {
     Place opened = expect_open(p, "light_source");
+    Object *look = NULL;
     Value v;
     if (accept_value(p, VALUE_LIGHT, &v)) {
         *out = *v.light;
@@ -93,6 +104,14 @@ void parse_light(Parser *p, Light *out)
         accept_comma(p);
         out->color = parse_rgb(p);
     }
-    while (read_item(p, out)) continue;
+    while (read_item(p, out, &look)) continue;
     expect_close(p, '}', "light_source", opened);
+    return look;
+}
+
+Object *light_as_object(Parser *p, const Light *l, Object *look)
+{
+    Shape *light = light_shape_new(parser_arena(p), l);
+    if (!look) return object_new(parser_arena(p), light);
+    return object_new(parser_arena(p), union_new(parser_arena(p), (Shape *[]){ light, &look->shape }, 2));
 }

@@ -239,12 +239,8 @@ static Object *parse_object_block(Parser *p)
     Place opened = expect_open(p, "object");
     Value v;
     Object *o;
-    Token t = peek(p);
-    if (accept_value(p, VALUE_LIGHT, &v)) {
-        t.text = "light_source in object";
-        parse_fail_unsupported(p, t);
-    }
-    if (accept_value(p, VALUE_OBJECT, &v)) o = object_copy(parser_arena(p), v.object);
+    if (accept_value(p, VALUE_LIGHT, &v)) o = light_as_object(p, v.light, NULL);
+    else if (accept_value(p, VALUE_OBJECT, &v)) o = object_copy(parser_arena(p), v.object);
     else o = parse_any_object(p);
     if (!o) parse_fail_expected(p, "an object");
     parse_modifiers(p, o);
@@ -257,6 +253,11 @@ Object *parse_any_object(Parser *p)
     Token t = peek(p);
     if (t.kind != TOKEN_WORD) return NULL;
     if (accept_word(p, "object")) return parse_object_block(p);
+    if (accept_word(p, "light_source")) {
+        Light l;
+        Object *look = parse_light(p, &l);
+        return light_as_object(p, &l, look);
+    }
     const ShapeRule *rule = shape_rule(t.text);
     return rule ? parse_shape_block(p, rule) : NULL;
 }

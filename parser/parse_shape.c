@@ -115,13 +115,12 @@ static bool is_plain(const Object *o)
 }
 
 /* The parts of a compound, each as its bare shape where that is all that it is. */
-static Shape **parse_parts(Parser *p, const char *feature, uint32_t *n)
+static Shape **parse_parts(Parser *p, uint32_t *n)
 {
     Shape **parts = NULL;
     size_t n_parts = 0, capacity = 0;
     for (Object *o; (o = parse_any_object(p)) != NULL;)
         ARENA_PUSH(parser_arena(p), parts, n_parts, capacity) = is_plain(o) ? o->child : &o->shape;
-    refuse_word(p, "light_source", feature);
     *n = (uint32_t)n_parts;
     return parts;
 }
@@ -130,13 +129,13 @@ static Shape *parse_union(Parser *p, Place word)
 {
     (void)word;
     uint32_t n;
-    Shape **parts = parse_parts(p, "light_source in a union", &n);
+    Shape **parts = parse_parts(p, &n);
     return union_new(parser_arena(p), parts, n);
 }
 
 static Shape **parse_csg_parts(Parser *p, Place word, uint32_t *n)
 {
-    Shape **parts = parse_parts(p, "light_source in a compound", n);
+    Shape **parts = parse_parts(p, n);
     if (*n < 2) parse_warn(p, word, "expected at least 2 objects in a compound, found %u", *n);
     return parts;
 }

@@ -60,6 +60,8 @@ Material parse_material(Parser *p);
 /* parse_finish.c */
 Finish parse_finish_from(Parser *p, Finish base);
 
+/* parse_light.c: a light as an object, with what it looks like (NULL: nothing) */
+Object *light_as_object(Parser *p, const Light *l, Object *look);
 /* parse_settings.c: after the word */
 void parse_background(Parser *p);
 void parse_global_settings(Parser *p);

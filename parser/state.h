@@ -95,6 +95,6 @@ const Pigment *parse_pigment(Parser *p);
 Finish parse_finish(Parser *p);
 const Interior *parse_interior(Parser *p);
 void parse_camera(Parser *p, CameraDesc *out);
-void parse_light(Parser *p, Light *out);
+Object *parse_light(Parser *p, Light *out);              /* returns what it looks like; NULL: nothing */
 
 #endif

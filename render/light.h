@@ -3,7 +3,9 @@
 #define TRIMRAY_LIGHT_H
 
 #include "render/color.h"
+#include "render/shape.h"
 #include "render/vec.h"
+#include "render/xform.h"
 
 #include <stdbool.h>
 
@@ -25,6 +27,11 @@ typedef struct {
 static inline bool light_is_parallel(const Light *l) { return l->is_parallel || l->kind == LIGHT_CYLINDER; }
 
 Light light_default(LightKind kind);   /* of its kind: black, at the origin, without area */
+void light_transform(Light *l, const Xform *x);
+
+/* light_shape.c: a light that moves with the union or object that it stands in. No ray meets it. */
+Shape *light_shape_new(Arena *a, const Light *l);
+const Light *shape_light(const Shape *s);   /* as it stands in its own space; NULL: s is no light */
 
 /* The light that would arrive at a point from `position` (the light's own, or a sample of its area) if nothing were in the
  * way. */

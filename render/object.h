@@ -49,7 +49,8 @@ enum {
     LOOKS_UNTEXTURED = 2,          /* something without a texture: it will have the default */
     LOOKS_CLEAR = 4,               /* a texture that lets light through */
     LOOKS_REFLECTING = 8,
-    LOOKS_NO_SHADOW = 16
+    LOOKS_NO_SHADOW = 16,
+    LOOKS_LIGHT = 32               /* a light */
 };
 unsigned object_looks(Object *o);
 

@@ -41,9 +41,34 @@ Scene *scene_new(Arena *a)
     return s;
 }
 
-void scene_add_object(Scene *s, Object *o) { ARENA_PUSH(s->arena, s->objects, s->n_objects, s->objects_capacity) = o; }
-
 void scene_add_light(Scene *s, const Light *l) { ARENA_PUSH(s->arena, s->lights, s->n_lights, s->lights_capacity) = *l; }
+
+/* The lights among the parts of a shape; objects without any are not entered, however often they are shared. */
+static void add_lights(Scene *s, Shape *shape, const Xform *outer)
+{
+    const Light *light = shape_light(shape);
+    Shape *const *parts;
+    Xform x = *outer;
+    if (light) {
+        Light moved = *light;
+        light_transform(&moved, outer);
+        scene_add_light(s, &moved);
+    }
+    if (shape_is_object(shape)) {
+        if (!(object_looks((Object *)shape) & LOOKS_LIGHT)) return;
+        x = xform_then(((const Object *)shape)->placement, x);
+    }
+    if (!shape->type->parts) return;
+    uint32_t n = shape->type->parts(shape, &parts);
+    for (uint32_t i = 0; i < n; i++) add_lights(s, parts[i], &x);
+}
+
+void scene_add_object(Scene *s, Object *o)
+{
+    Xform here = xform_identity();
+    ARENA_PUSH(s->arena, s->objects, s->n_objects, s->objects_capacity) = o;
+    add_lights(s, &o->shape, &here);
+}
 
 static unsigned looks_in_scene(const Scene *s, Object *o)
 {

@@ -48,7 +48,7 @@ typedef struct {
 } Scene;
 
 Scene *scene_new(Arena *a);                       /* with POV-Ray's defaults */
-void scene_add_object(Scene *s, Object *o);
+void scene_add_object(Scene *s, Object *o);       /* and the lights that stand in it */
 void scene_add_light(Scene *s, const Light *l);
 
 /* Builds the tree over the objects and finds out what the scene needs. Shapes are not prepared: the first ray does that. */

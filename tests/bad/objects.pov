@@ -16,6 +16,6 @@ sphere { 0, 1 };
 box { 0, 1 photons { target } photons { target } bounded_by { sphere { 0, 2 } } }
 light_source { 0, 1 area_light x, z, 0, 2 jitter }
 blob { threshold .5 }
-union { light_source { 0, 1 } }
-#declare Lamp = light_source { 0, 1 }
-object { Lamp }
+union { light_source { 0, 1 radios 3 } }
+#declare Lamp = light_source { 0, 1 looks_like { sphere { 0, 1 } } }
+light_source { Lamp }

@@ -9,7 +9,7 @@ global_settings { assumed_gamma 0 max_trace_level 0 radiosity { count 3 } charse
 fog { fog_type 3 }
 sky_sphere { pigment { rgb 1 } }
 sky_sphere { pigment { rgb 1 } }
-light_source { 0, 1 looks_like { sphere { 0, 1 } } }
+light_source { 0, 1 looks_like { pigment { rgb 1 } } }
 sphere { 0, 1 }
 camera { spherical }
 fog { up 0 fog_type 2 }

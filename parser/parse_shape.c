@@ -114,12 +114,19 @@ static bool is_plain(const Object *o)
         !o->no_image && !o->no_reflection && !o->is_inverse && !o->is_hollow && !o->double_illuminate;
 }
 
+/* The next part of a compound; of all compounds, unions alone have lights among their parts. NULL: there is none. */
+static Object *parse_part(Parser *p, bool is_union)
+{
+    if (!is_union) refuse_word(p, "light_source", "light_source in a compound");
+    return parse_any_object(p);
+}
+
 /* The parts of a compound, each as its bare shape where that is all that it is. */
-static Shape **parse_parts(Parser *p, uint32_t *n)
+static Shape **parse_parts(Parser *p, bool is_union, uint32_t *n)
 {
     Shape **parts = NULL;
     size_t n_parts = 0, capacity = 0;
-    for (Object *o; (o = parse_any_object(p)) != NULL;)
+    for (Object *o; (o = parse_part(p, is_union)) != NULL;)
         ARENA_PUSH(parser_arena(p), parts, n_parts, capacity) = is_plain(o) ? o->child : &o->shape;
     *n = (uint32_t)n_parts;
     return parts;
@@ -129,13 +136,13 @@ static Shape *parse_union(Parser *p, Place word)
 {
     (void)word;
     uint32_t n;
-    Shape **parts = parse_parts(p, &n);
+    Shape **parts = parse_parts(p, true, &n);
     return union_new(parser_arena(p), parts, n);
 }
 
 static Shape **parse_csg_parts(Parser *p, Place word, uint32_t *n)
 {
-    Shape **parts = parse_parts(p, n);
+    Shape **parts = parse_parts(p, false, n);
     if (*n < 2) parse_warn(p, word, "expected at least 2 objects in a compound, found %u", *n);
     return parts;
 }

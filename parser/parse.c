@@ -45,7 +45,7 @@ static void begin(Parser *p, void *unused)
     parse_begin(p);
 }
 
-/* A scene that says no version is one of 3.62, though its `version` reads 3.7 (povray-facts sections 2 and 10). */
+/* A scene that says no version is one of 3.62, though its `version` reads 3.7 (measured with POV-Ray 3.7). */
 static void end(Parser *p, void *unused)
 {
     (void)unused;

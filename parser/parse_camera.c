@@ -1,4 +1,4 @@
-/* camera { }: items in any order, transformations act last (povray-facts section 1). camera.c makes sense of them. */
+/* camera { }: items in any order, transformations act last (measured with POV-Ray 3.7). camera.c makes sense of them. */
 #include "parser/rules.h"
 
 #include <string.h>

@@ -1,4 +1,4 @@
-/* finish { } and interior { }: POV-Ray's words for povray-facts section 4. */
+/* finish { } and interior { }: POV-Ray's words. */
 #include "parser/rules.h"
 
 #include <stddef.h>

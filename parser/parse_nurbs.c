@@ -249,7 +249,7 @@ static void read_patch_words(Parser *p, Place word)
     if (!has_type) parse_error(p, word, "bicubic_patch needs 'type'");
 }
 
-/* Point 4i + j of the list is C[i][j], where i runs with u and j with v (povray-facts section 6). */
+/* Point 4i + j of the list is C[i][j], where i runs with u and j with v (measured with POV-Ray 3.7). */
 Shape *parse_bicubic_patch(Parser *p, Place word)
 {
     static const double knots[8] = { 0, 0, 0, 0, 1, 1, 1, 1 };

@@ -73,7 +73,7 @@ static void set_texture(Object *o, const Texture *t)
     o->texture_space = xform_identity();
 }
 
-/* A texture on a texture is a layer on top of it (povray-facts section 7). */
+/* A texture on a texture is a layer on top of it (measured with POV-Ray 3.7). */
 static void add_texture(Parser *p, Object *o, const Texture *t)
 {
     set_texture(o, o->texture ? texture_layered(p, texture_in_place(p, o), t) : t);

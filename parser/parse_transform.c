@@ -1,5 +1,5 @@
 /* translate, rotate, scale, matrix and transform: one after another they become one map, in the order in which they are
- * written (povray-facts: points are rows, p' = p M). */
+ * written (points are rows, p' = p M). */
 #include "parser/rules.h"
 
 #include <string.h>

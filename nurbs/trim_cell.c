@@ -15,9 +15,10 @@
 /* An end of a run, to the right of the rectangle: `counts` while it is above p. */
 typedef struct { int vertex, counts; } RunEnd;
 
-/* A trim that is not all round the rectangle or all beside it, or is and has something mixed in it. */
+/* A trim that is neither all round the rectangle nor beside it; or it is all round, and something in it is mixed. */
 typedef struct {
     const TrimChain *chain;
+    TrimRect box;                    /* the chain's */
     int n_pieces, n_ends;            /* n_pieces < 0: the chain's tree is asked */
     int constant;
     const int *pieces;
@@ -54,8 +55,10 @@ static int local_winding(const CellTrim *t, WidePoint p)
 
 static bool list_keeps(const CellList *l, WidePoint p)
 {
+    TrimRect at = { p.x.hi, p.x.hi, p.y.hi, p.y.hi };
     for (int i = 0; i < l->n; i++) {
         const CellTrim *t = &l->trims[i];
+        if (!trim_rects_meet(t->box, at)) continue;
         if (local_winding(t, p) != 0 && list_keeps(t->inner, p) != l->keeps_outside) return !l->keeps_outside;
     }
     return l->keeps_outside;
@@ -106,7 +109,7 @@ static void add_pieces(const Maker *m, CellTrim *t)
 
 static CellTrim local_trim(const Maker *m, const TrimChain *chain)
 {
-    CellTrim t = { .chain = chain };
+    CellTrim t = { .chain = chain, .box = trim_chain_box(chain) };
     add_pieces(m, &t);
     if (t.n_pieces >= 0) t.constant = trim_chain_winding(chain, m->corner) - local_winding(&t, m->corner);
     return t;

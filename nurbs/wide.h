@@ -51,14 +51,12 @@ static inline Wide wide_mul(Wide a, Wide b)                         /* [JMP17] D
     return wide_fast_sum(c.hi, c.lo + t);
 }
 
-static inline Wide wide_div(Wide a, Wide b)                         /* the quotient of the first parts, corrected twice */
+/* The quotient of the first parts, corrected once; the rest is exact but for 2 roundings of its smaller part. Errs by less than
+ * 2^-100 of itself. */
+static inline Wide wide_div(Wide a, Wide b)
 {
-    double q = a.hi / b.hi;
-    if (q == 0 || !isfinite(q)) return wide(q);
-    Wide rest = wide_sub(a, wide_mul(wide(q), b));
-    double r = rest.hi / b.hi;
-    rest = wide_sub(rest, wide_mul(wide(r), b));
-    return wide_add(wide_fast_sum(q, r), wide(rest.hi / b.hi));
+    double q = a.hi / b.hi, rest = fma(-q, b.hi, a.hi) + (a.lo - q * b.lo);
+    return isfinite(q) ? wide_fast_sum(q, rest / b.hi) : wide(q);
 }
 
 static inline bool wide_less(Wide a, Wide b) { return a.hi < b.hi || (a.hi == b.hi && a.lo < b.lo); }

@@ -227,6 +227,33 @@ static void shared_parts_are_walked_once(void **state)
     CHECK_WITHIN(stats_now() - begun, 5, "seconds for 2^63 spheres");
 }
 
+static void lights_move_with_what_they_stand_in(void **state)
+{
+    (void)state;
+    Light light = light_default(LIGHT_SPOT);
+    light.position = vec(1, 0, 0), light.point_at = vec(0, 0, 0), light.area_u = vec(0, 0, 1);
+    Object *lamp = object_new(arena, light_shape_new(arena, &light)), *both = joined(lamp, ball(0, textured(RED, 0)));
+    Xform up = xform_translate(vec(0, 5, 0)), twice = xform_scale(vec(2, 2, 2));
+    object_transform(lamp, &up);
+    object_transform(both, &twice);
+    Object *all[] = { both, object_copy(arena, both) };
+    object_transform(all[1], &up);
+    Scene *s = scene_of(all, 2, 0);
+    assert_int_equal(s->n_lights, 2);
+    for (int i = 0; i < 2; i++) {
+        const Light *l = &s->lights[i];
+        CHECK(l->position.x == 2 && l->position.y == 10 + 5 * i && l->position.z == 0, "y %g", l->position.y);
+        CHECK(l->point_at.x == 0 && l->point_at.y == 10 + 5 * i, "point_at y %g", l->point_at.y);
+        assert_true(l->area_u.z == 2);
+    }
+    Hit h = { .t = INFINITY };
+    Trace t = { 0 };
+    assert_true(scene_hit(s, &(Ray){ { 0, 0, -9 }, { 0, 0, 1 }, 0 }, RAY_CAMERA, &h, &t));   /* the ball */
+    h.t = INFINITY;
+    assert_false(scene_hit(s, &(Ray){ { 2, 10, -9 }, { 0, 0, 1 }, 0 }, RAY_CAMERA, &h, &t));   /* not the lamp */
+    scene_release(s);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -239,6 +266,7 @@ int main(void)
         cmocka_unit_test(transparent_objects_filter_from_near_to_far),
         cmocka_unit_test(parts_of_a_union_cast_their_own_shadows),
         cmocka_unit_test(shared_parts_are_walked_once),
+        cmocka_unit_test(lights_move_with_what_they_stand_in),
     };
     return cmocka_run_group_tests(tests, make_arena, free_arena);
 }

@@ -307,6 +307,90 @@ static void pictures_are_decoded_by_their_gamma(void **state)
     arena_free(a);
 }
 
+/* Points whose place on the picture follows from the way round: from +x towards +z is from left to right, from below to
+ * above (on a torus from its inner side over the upper one) is from the bottom to the top. */
+static void pictures_wrap_round_spheres_cylinders_and_tori(void **state)
+{
+    (void)state;
+    static const double TURN = 2 * M_PI;
+    Arena *a = arena_new();
+    ImageMap *sphere = map_of(a, &(ImageMapOptions){ .type = MAP_SPHERICAL }, &eight_bits, GAMMA_NONE, 1);
+    ImageMap *cylinder = map_of(a, &(ImageMapOptions){ .type = MAP_CYLINDRICAL }, &eight_bits, GAMMA_NONE, 1);
+    ImageMap *torus = map_of(a, &(ImageMapOptions){ .type = MAP_TOROIDAL }, &eight_bits, GAMMA_NONE, 1);
+    for (int i = 0; i < 16; i++)
+        for (int j = 0; j < 16; j++) {
+            double u = (i + .5) / 16, v = (j + .5) / 16, size = exp(i - j);
+            Color truth = image_map_color(sphere, u, v);
+            double up = (v - .5) * M_PI, r = cos(up), tube = .3, about = v * TURN;
+            Vec3 on_sphere = vec(size * r * cos(u * TURN), size * sin(up), size * r * sin(u * TURN));
+            Vec3 on_cylinder = vec(size * cos(u * TURN), v, size * sin(u * TURN));
+            double out = 1 - tube * cos(about);
+            Vec3 on_torus = vec(out * cos(u * TURN), -tube * sin(about), out * sin(u * TURN));
+            check_color("sphere", image_map_at(sphere, on_sphere), truth.r, truth.g, truth.b, truth.transmit);
+            check_color("cylinder", image_map_at(cylinder, on_cylinder), truth.r, truth.g, truth.b, truth.transmit);
+            check_color("torus", image_map_at(torus, on_torus), truth.r, truth.g, truth.b, truth.transmit);
+        }
+    check_color("nowhere", image_map_at(sphere, vec(0, 0, 0)), 0, 0, 0, 1);
+    arena_free(a);
+}
+
+/* ---- textures that choose ---- */
+
+static TextureMap texture_map_of(const char *pattern, const TextureEntry *entries, int n)
+{
+    return (TextureMap){ .pattern = pattern_make(pattern_type(pattern)), .entries = entries, .n_entries = n,
+                         .space = xform_scale(vec(2, 2, 2)) };
+}
+
+static void a_texture_map_blends_its_neighbours_in_its_own_space(void **state)
+{
+    (void)state;
+    static const Texture low, high;
+    const TextureEntry entries[] = { { .25f, &low }, { .75f, &high } };
+    TextureMap map = texture_map_of("gradient", entries, 2);
+    TextureChoice c[2];
+    assert_int_equal(texture_choose(&map, vec(.2, 0, 0), c), 1);            /* twice as large: at .1 */
+    assert_true(c[0].texture == &low && c[0].share == 1);
+    assert_int_equal(texture_choose(&map, vec(1.9, 0, 0), c), 1);
+    assert_true(c[0].texture == &high);
+    assert_int_equal(texture_choose(&map, vec(.8, 6, 0), c), 2);            /* at .4: .3 of the way */
+    for (int i = 0; i < 2; i++) {
+        double truth = c[i].texture == &high ? .3 : .7;
+        CHECK_WITHIN(c[i].share - truth, 1e-12, "share %g", c[i].share);
+        CHECK_WITHIN(c[i].point.y - 3, 1e-12, "y %g", c[i].point.y);
+    }
+    assert_true(c[0].texture != c[1].texture);
+}
+
+static void blocks_of_textures_are_not_blended(void **state)
+{
+    (void)state;
+    static const Texture first, second;
+    const TextureEntry entries[] = { { 0, &first }, { 1, &second } };
+    TextureMap map = texture_map_of("checker", entries, 2);
+    TextureChoice c[2];
+    for (int i = -5; i < 5; i++) {
+        assert_int_equal(texture_choose(&map, vec(2 * i + 1, 1, 1), c), 1);
+        assert_true(c[0].texture == (i % 2 ? &second : &first) && c[0].share == 1);
+    }
+}
+
+static void a_texture_map_is_opaque_if_all_its_textures_are(void **state)
+{
+    (void)state;
+    Pigment solid = pigment_solid((Color){ 1, 1, 1, 0, 0 }), clear = pigment_solid((Color){ 1, 1, 1, 0, .1f });
+    Layer opaque = { &solid, finish_default() }, glassy = { &clear, finish_default() };
+    glassy.finish.has_reflection = true;
+    Texture a = { .layers = &opaque, .n_layers = 1 }, b = { .layers = &glassy, .n_layers = 1 };
+    const TextureEntry same[] = { { 0, &a }, { 1, &a } }, mixed[] = { { 0, &a }, { 1, &b } };
+    TextureMap maps[] = { texture_map_of("onion", same, 2), texture_map_of("onion", mixed, 2) };
+    for (int i = 0; i < 2; i++) {
+        Texture t = { .map = &maps[i] };
+        assert_int_equal(texture_is_opaque(&t), i == 0);
+        assert_int_equal(texture_reflects(&t), i == 1);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -323,6 +407,10 @@ int main(void)
         cmocka_unit_test(once_is_clear_outside),
         cmocka_unit_test(interpolation_is_linear_between_the_centres_of_pixels),
         cmocka_unit_test(pictures_are_decoded_by_their_gamma),
+        cmocka_unit_test(pictures_wrap_round_spheres_cylinders_and_tori),
+        cmocka_unit_test(a_texture_map_blends_its_neighbours_in_its_own_space),
+        cmocka_unit_test(blocks_of_textures_are_not_blended),
+        cmocka_unit_test(a_texture_map_is_opaque_if_all_its_textures_are),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

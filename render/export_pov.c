@@ -172,7 +172,7 @@ static void write_scene_object(Exporter *e, Object *o)
 
 const char *export_pov(FILE *file, const Scene *s, ExportList *list, double chord_error)
 {
-    Exporter e = { .sdl = { file, write_shape }, .scene = s, .list = list, .chord_error = chord_error };
+    Exporter e = { .sdl = { .file = file, .shape = write_shape }, .scene = s, .list = list, .chord_error = chord_error };
     sdl_text(&e.sdl, "// Written by trimray: meshes within %.9g of their surfaces.\n", chord_error);
     export_surroundings(&e.sdl, s);
     declare_shared(&e);

@@ -21,7 +21,7 @@
 
 #define TURN_CUTS   3.0    /* knots added for each radian that a span turns through */
 #define CHORD_SHARE 0.02    /* sagitta over length: of a circular arc of angle a it is a/8, so 0.16 rad a piece */
-#define MAX_ADDED   1023    /* knots in one span: C^2 of this is the worst case of leaves, reached by absurd C only */
+#define MAX_ADDED   1023    /* knots in one span: its square is the worst case of leaves, reached by absurd C only */
 #define MAX_DEPTH   10      /* halvings: 2^10 pieces, the same limit */
 
 /* One direction of the mesh: curves of order k, one for each of n_across control points of the other direction. */

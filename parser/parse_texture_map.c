@@ -1,4 +1,5 @@
-/* Textures that choose between textures: texture { checker texture { } texture { } }, texture { gradient x texture_map { } }. */
+/* Textures that choose between textures: texture { checker texture { } texture { } }, texture { gradient x texture_map { }
+ * }. */
 #include "parser/rules.h"
 
 #include <string.h>

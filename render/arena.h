@@ -25,7 +25,8 @@ char *arena_strdup(Arena *a, const char *s);
 char *arena_printf(Arena *a, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 /* Makes room for one more element in a growing array of *capacity elements of `size` bytes, n in use: returns the array,
- * moved if it had to grow (the old copy stays in the arena until the end: growth doubles, so that waste is bounded by 1x). */
+ * moved if it had to grow (the old copy stays in the arena until the end: growth doubles, so that waste is bounded by
+ * 1x). */
 void *arena_grow(Arena *a, void *array, size_t n, size_t *capacity, size_t size);
 
 ArenaMark arena_mark(const Arena *a);

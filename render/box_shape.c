@@ -118,7 +118,8 @@ static bool box_shape_tessellate(const Shape *shape, double chord_error, MeshSin
             p[k] = is_high ? b->hi[k] : b->lo[k], n[k] = is_high ? 1 : -1;
             p[i] = (is_high ? far_i : far_j) ? b->hi[i] : b->lo[i];
             p[j] = (is_high ? far_j : far_i) ? b->hi[j] : b->lo[j];
-            v[corner] = mesh_sink_vertex(out, (MeshVertex){ vec(p[0], p[1], p[2]), vec(n[0], n[1], n[2]), { far_i, far_j } });
+            MeshVertex vertex = { vec(p[0], p[1], p[2]), vec(n[0], n[1], n[2]), { far_i, far_j } };
+            v[corner] = mesh_sink_vertex(out, vertex);
         }
         mesh_sink_triangle(out, v[0], v[1], v[2]);
         mesh_sink_triangle(out, v[0], v[2], v[3]);

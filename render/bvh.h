@@ -19,8 +19,8 @@ typedef struct Bvh Bvh;
  * keep unbounded things outside. Leaves hold one box. */
 Bvh *bvh_build(Arena *a, const Box *boxes, uint32_t n, BvhSplit split);
 
-/* The same from a tree that is there already: a node is inner (n_items 0; its two children are `first` and first + 1) or holds
- * item `first` (n_items 1). Node 0 is the root; nodes that cannot be reached from it are allowed. */
+/* The same from a tree that is there already: a node is inner (n_items 0; its two children are `first` and first + 1) or
+ * holds item `first` (n_items 1). Node 0 is the root; nodes that cannot be reached from it are allowed. */
 typedef struct {
     Box box;
     uint32_t first, n_items;

@@ -79,7 +79,8 @@ static void tell(const Run *run, const char *path)
 static void warn_of_jitter(const Options *o)
 {
     if (o->antialias_on && o->jitter_on && o->antialias.jitter > 0 && !o->is_quiet)
-        fputs("trimray: warning: POV-Ray's table of jitter is its own: samples are displaced otherwise (-J: not at all)\n", stderr);
+        fputs("trimray: warning: POV-Ray's table of jitter is its own: samples are displaced otherwise (-J: not at all)\n",
+              stderr);
 }
 
 /* Nothing is rendered that could not be written. */

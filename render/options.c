@@ -200,7 +200,8 @@ static const Row table[] = {
     { "O", "Output_File_Name", "output", "FILE", R | S | X | E,
       "the picture (default: beside the scene, as .png), shoot's hits, export's file (-: standard output), report's folder",
       TEXT(output) },
-    { "W", "Width", "width", "N", ALL, "width of the picture in pixels (default 800, report: 512)", WHOLE(width, 1, MAX_SIZE) },
+    { "W", "Width", "width", "N", ALL, "width of the picture in pixels (default 800, report: 512)",
+      WHOLE(width, 1, MAX_SIZE) },
     { "H", "Height", "height", "N", ALL, "height of the picture (default 600, report: 384)", WHOLE(height, 1, MAX_SIZE) },
     { "F", NULL, NULL, "N[8|16]", R, "PNG with 8 (default) or 16 bits a channel; -F: no picture", CUSTOM(set_file_type) },
     { NULL, "Output_File_Type", NULL, "N", R, NULL, CUSTOM(set_file_type) },
@@ -319,7 +320,8 @@ static bool read_key(Options *o, const char *argument, const char *equals)
         if (!row->key || strlen(row->key) != length || strncasecmp(argument, row->key, length) != 0) continue;
         if (needs_value(row)) return apply(o, row, equals + 1, true);
         if (is_one_of(equals + 1, off)) return apply(o, row, "", false);
-        if ((row->kind == KIND_FLAG || may_have_value(row)) && !is_one_of(equals + 1, on)) return FAIL(o, "expected on or off");
+        bool is_switch = row->kind == KIND_FLAG || may_have_value(row);
+        if (is_switch && !is_one_of(equals + 1, on)) return FAIL(o, "expected on or off");
         return apply(o, row, "", true);
     }
     return FAIL(o, "unknown setting");
@@ -465,8 +467,8 @@ void options_print_help(FILE *out)
     fputs("trimray renders POV-Ray scenes whose special primitive is the trimmed NURBS surface.\n\n"
           "usage: trimray [command] SCENE.pov [options]\n\ncommands:\n", out);
     for (int i = 0; i < N_COMMANDS; i++) fprintf(out, "  %-26s %s\n", commands[i].name, commands[i].help);
-    fputs("\noptions, in POV-Ray's spelling and in full (also by POV-Ray's INI keys: Width=640; FILE.ini and FILE.ini[SECTION]\n"
-          "read them from a file):\n", out);
+    fputs("\noptions, in POV-Ray's spelling and in full (also by POV-Ray's INI keys: Width=640; FILE.ini and FILE.ini[SECTION]"
+          "\nread them from a file):\n", out);
     for (const Row *row = table; row < table + N_ROWS; row++)
         if (row->help) print_row(row, out);
     fputs("\nexit status: 0 done, 1 the scene or the input is wrong, 2 the command line is wrong, 3 a file cannot be read\n"

@@ -15,7 +15,7 @@ struct Sdl {
     FILE *file;
     SdlShape shape;
     const Xform *placement;  /* of the object whose block is being written; NULL: none */
-    bool is_placed;          /* set by a shape that has written itself with the placement applied: else it is written after it */
+    bool is_placed;          /* set by a shape that has written itself with the placement applied; else that follows it */
 };
 
 void sdl_text(Sdl *out, const char *format, ...) __attribute__((format(printf, 2, 3)));

@@ -38,15 +38,15 @@ typedef struct {
     void (*prepare)   (Shape *s, Arena *own, Trace *t);   /* once, when a first ray reaches the bounds; NULL: nothing */
     bool (*hit)       (const Shape *s, const Ray *r, Hit *best, Trace *t);    /* nearest in (r->t_min, best->t) */
     bool (*blocks)    (const Shape *s, const Ray *r, double t_max, Trace *t); /* any in (r->t_min, t_max); NULL: by hit() */
-    void (*all_hits)  (const Shape *s, const Ray *r, HitList *out, Trace *t); /* appends, in order of t; NULL: hit() repeated */
+    void (*all_hits)  (const Shape *s, const Ray *r, HitList *out, Trace *t); /* appends, by t; NULL: hit() repeated */
     bool (*inside)    (const Shape *s, Vec3 p);                               /* NULL: a surface without an inside */
-    Box  (*inside_bounds)(const Shape *s);                                    /* contains all that is inside; NULL: bounds() */
+    Box  (*inside_bounds)(const Shape *s);                                    /* of all that is inside; NULL: bounds() */
     void (*attributes)(const Shape *s, const Ray *r, const Hit *h, Attributes *out);  /* for the winner only */
     bool (*tessellate)(const Shape *s, double chord_error, MeshSink *out);    /* NULL or false: it has no mesh */
     void (*write)     (const Shape *s, Sdl *out);  /* for POV-Ray: "sphere { <0, 0, 0>, 1", left open; NULL: as a mesh */
     uint32_t (*parts) (const Shape *s, Shape *const **list);   /* what it is made of, in order; NULL: a primitive */
-    /* A compound like s, of as many other parts: its own, moved by `moved` (NULL: not). is_inverse: they are inverted, and so
-     * is the compound to be (by De Morgan's laws; a union is then what POV-Ray makes of it, without surfaces within). */
+    /* A compound like s, of as many other parts: its own, moved by `moved` (NULL: not). is_inverse: they are inverted, and
+     * so is the compound to be (by De Morgan's laws; a union is then what POV-Ray makes of it, without surfaces within). */
     Shape *(*with_parts)(const Shape *s, Arena *a, Shape *const parts[], bool is_inverse, const Xform *moved);
     unsigned (*looks) (const Shape *s);            /* of a primitive's own textures: as object_looks; NULL: it has none */
     void (*release)   (Shape *s);                                             /* NULL: the arenas have it all */

@@ -36,7 +36,10 @@
 
 /* Seeded random numbers: the same on every machine (xorshift64*). */
 typedef struct { uint64_t state; } TestRandom;
-static inline TestRandom test_random(uint64_t seed) { return (TestRandom){ seed * 0x9E3779B97F4A7C15u + 0x2545F4914F6CDD1Du }; }
+static inline TestRandom test_random(uint64_t seed)
+{
+    return (TestRandom){ seed * 0x9E3779B97F4A7C15u + 0x2545F4914F6CDD1Du };
+}
 static inline uint64_t test_bits(TestRandom *r)
 {
     r->state ^= r->state >> 12, r->state ^= r->state << 25, r->state ^= r->state >> 27;

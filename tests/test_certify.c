@@ -1,5 +1,5 @@
-/* `method certain` within one patch: bounds that bound, roots that are all found. The truth is a dense sample of the patch for
- * the bounds, the plain clipping for the frame's shortcut, and rays made from points of the patch for the roots. */
+/* `method certain` within one patch: bounds that bound, roots that are all found. The truth is a dense sample of the patch
+ * for the bounds, the plain clipping for the frame's shortcut, and rays made from points of the patch for the roots. */
 #include "test.h"
 
 #include "nurbs/certify.h"
@@ -183,7 +183,8 @@ static void a_tangent_ray_hits_and_one_beside_it_does_not(void **state)
     Fixture *f = *state;
     Vec4 p[6];
     for (int j = 0; j < 2; j++) {
-        p[3 * j] = vec4(-1, 2 * j - 1, 1, 1), p[3 * j + 1] = vec4(0, 2 * j - 1, -1, 1), p[3 * j + 2] = vec4(1, 2 * j - 1, 1, 1);
+        double y = 2 * j - 1;
+        p[3 * j] = vec4(-1, y, 1, 1), p[3 * j + 1] = vec4(0, y, -1, 1), p[3 * j + 2] = vec4(1, y, 1, 1);
     }
     Patch patch;
     patch_make(f->arena, 3, 2, p, 0, (TrimRect){ -1, 1, -1, 1 }, &patch);
@@ -232,7 +233,8 @@ static Shape *torus_shape(Arena *a)
     return nurbs_shape_new(a, &d, &options, &error, NULL, 0, NULL);
 }
 
-/* In and out again, in order, and as many as the quartic has; rays towards points, so that seams and borders are met, too. */
+/* In and out again, in order, and as many as the quartic has; rays towards points, so that seams and borders are met,
+ * too. */
 static void a_closed_surface_is_left_as_often_as_entered(void **state)
 {
     Fixture *f = *state;

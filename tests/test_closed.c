@@ -67,7 +67,7 @@ typedef struct {
 } Closed;
 
 #define INCLUDE "#version 3.7; #include \"nurbs.inc\" "
-#define FACE(ORIGIN, U, V, HALF_U, HALF_V, MORE) " trimmed_nurbs { Nurbs_Planar(" ORIGIN ", " U ", " V ", <-1, -1>, <1, 1>)" \
+#define FACE(ORIGIN, U, V, HALF_U, HALF_V, MORE) " trimmed_nurbs { Nurbs_Planar(" ORIGIN ", " U ", " V ", <-1, -1>, <1, 1>)"\
     " Trim_Rectangle(-<" HALF_U ", " HALF_V ">, <" HALF_U ", " HALF_V ">, NURBS_REGION) " MORE " }"
 #define BORED "Trim_Outline(Bore, NURBS_HOLE)"
 
@@ -153,8 +153,8 @@ static void rays_cross_a_closed_solid_an_even_number_of_times(void **state)
     }
 }
 
-/* A ray from beyond the seam to the point inside. Its own line misses the seam by some units in the last place; leaning by no
- * less than a tenth, it meets the surface within a few more. */
+/* A ray from beyond the seam to the point inside. Its own line misses the seam by some units in the last place; leaning by
+ * no less than a tenth, it meets the surface within a few more. */
 static void no_ray_slips_in_through_a_seam(void **state)
 {
     (void)state;

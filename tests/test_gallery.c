@@ -72,7 +72,7 @@ static void scale_lights_and_camera(Scene *s, double k)
     s->camera.location = vec_scale(s->camera.location, k);
     for (size_t i = 0; i < s->n_lights; i++) {
         Light *l = &s->lights[i];
-        CHECK(l->kind == LIGHT_POINT && !l->is_area && !(l->fade_distance > 0), "the scale of light %zu is its place alone", i);
+        CHECK(l->kind == LIGHT_POINT && !l->is_area && !(l->fade_distance > 0), "light %zu has more to scale than its place", i);
         l->position = vec_scale(l->position, k);
     }
 }
@@ -153,10 +153,10 @@ static void check_scales(ReadScaled read, const char *what, const char *scene, i
             int off = worst_of_row(plain, scaled, y, &n_different);
             worst = off > worst ? off : worst;
         }
-        if (long_size) print_message("%s %s, scale %g: %d pixels differ, by %d at most\n", scene, what, scales[i], n_different,
-                                     worst);
-        CHECK(worst <= 1 && n_different <= size * size / 1000, "%s %s, scale %g: %d pixels differ, by %d at most", scene, what,
-              scales[i], n_different, worst);
+        bool is_same = worst <= 1 && n_different <= size * size / 1000;
+        if (long_size || !is_same)
+            print_message("%s %s, scale %g: %d pixels differ, by %d at most\n", scene, what, scales[i], n_different, worst);
+        CHECK(is_same, "%s %s, scale %g", scene, what, scales[i]);
         film_free(scaled);
     }
     film_free(plain);

@@ -105,7 +105,8 @@ static void a_straight_tube_is_a_cylinder_or_a_cone(void **state)
     (void)state;
     check_same("#declare P = Curve_Points(array[2] { -y, y }); trimmed_nurbs { Nurbs_Tube(Curve_Knots(2, 2), P, .5, 5) }",
                "cylinder { -y, y, .5 open }");
-    /* the sections stand across a difference quotient over 2e-6 of the path: its points' rounding tilts them by 2^-53 / 2e-6 */
+    /* the sections stand across a difference quotient over 2e-6 of the path: its points' rounding tilts them by 2^-53 /
+     * 2e-6 */
     check_same_within(16 * 0x1p-53 / 2e-6, "#declare P = Curve_Points(array[2] { <-1, 0, .3>, x });"
                       " #declare R = array[4] { <.8, .8>, <.6, .6>, <.4, .4>, <.2, .2> };"
                       " trimmed_nurbs { Nurbs_Tapered_Tube(Curve_Knots(2, 2), P, y, R) }",
@@ -235,8 +236,10 @@ static void a_bilinear_patch_mixes_its_corners(void **state)
     read_done(&r);
 }
 
-static const Vec3 low[3] = { { 0, 0, 0 }, { .5, 1, 0 }, { 1, 0, .5 } }, high[3] = { { 0, 1, 1 }, { .5, -.5, 1 }, { 2, 1, 1 } };
-static const Vec3 left[3] = { { 0, 0, 0 }, { -.5, 1, .5 }, { 0, 1, 1 } }, right[3] = { { 1, 0, .5 }, { 2, .5, 0 }, { 2, 1, 1 } };
+static const Vec3 low[3] = { { 0, 0, 0 }, { .5, 1, 0 }, { 1, 0, .5 } };
+static const Vec3 high[3] = { { 0, 1, 1 }, { .5, -.5, 1 }, { 2, 1, 1 } };
+static const Vec3 left[3] = { { 0, 0, 0 }, { -.5, 1, .5 }, { 0, 1, 1 } };
+static const Vec3 right[3] = { { 1, 0, .5 }, { 2, .5, 0 }, { 2, 1, 1 } };
 #define FOUR_CURVES "#declare Low = Curve_Points(array[3] { <0, 0, 0>, <.5, 1, 0>, <1, 0, .5> });" \
     "#declare High = Curve_Points(array[3] { <0, 1, 1>, <.5, -.5, 1>, <2, 1, 1> });" \
     "#declare Left = Curve_Points(array[3] { <0, 0, 0>, <-.5, 1, .5>, <0, 1, 1> });" \

@@ -83,7 +83,8 @@ static Case case_make(const Check *k, const char *path)
 /* ---- the two programs ---- */
 
 /* Runs in the scene's folder; what it says goes to the file `log`. */
-static pid_t start(const Check *k, const Case *c, const char *program, const char *picture, const char *log, char *const more[])
+static pid_t start(const Check *k, const Case *c, const char *program, const char *picture, const char *log,
+                   char *const more[])
 {
     char *arguments[MAX_ARGUMENTS];
     int n = 0;
@@ -95,7 +96,8 @@ static pid_t start(const Check *k, const Case *c, const char *program, const cha
     arguments[n++] = arena_printf(k->arena, "%s", "-D");
     for (; *more; more++) arguments[n++] = *more;
     char *switches = arena_printf(k->arena, "%s", c->switches), *rest;
-    for (char *s = strtok_r(switches, " ", &rest); s && n < MAX_ARGUMENTS - 1; s = strtok_r(NULL, " ", &rest)) arguments[n++] = s;
+    for (char *s = strtok_r(switches, " ", &rest); s && n < MAX_ARGUMENTS - 1; s = strtok_r(NULL, " ", &rest))
+        arguments[n++] = s;
     arguments[n] = NULL;
     fflush(stdout);
     pid_t child = fork();

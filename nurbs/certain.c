@@ -186,6 +186,17 @@ struct Search {
 
 static double lerp(double a, double b, double x) { return x >= 1 ? b : a + x * (b - a); }
 
+/* Faces that share an edge have trims that lie along the same curve in space, but not in the same parameters: where each says
+ * that the other has the point, a ray would pass between them. So a root counts as kept if a trim passes as near as the root is
+ * uncertain: `distance` in space, through the lengths of the derivatives at the middle, and the last bits of u and v. */
+static bool is_near_trim(const TrimTree *trims, const Patch *p, const Root *root, double u, double v)
+{
+    double du = root->distance * (p->u1 - p->u0) / (2 * p->half_u) + 2 * DBL_EPSILON * fabs(u);
+    double dv = root->distance * (p->v1 - p->v0) / (2 * p->half_v) + 2 * DBL_EPSILON * fabs(v);
+    TrimRect band = { u - du, u + du, v - dv, v + dv };
+    return trim_class(trims, band) != TRIM_CUT;    /* a collapsed side makes the band infinite or NaN: mixed */
+}
+
 static bool accept_root(void *context, const Patch *p, PatchRay *ray, const Root *root)
 {
     Search *k = context;
@@ -195,7 +206,7 @@ static bool accept_root(void *context, const Patch *p, PatchRay *ray, const Root
     double u = lerp(p->u0, p->u1, root->s), v = lerp(p->v0, p->v1, root->t);
     if (k->tree->needs_trim_test[k->patch]) {
         count->trim_tests++;
-        if (!trim_keeps(k->s->trims, u, v)) return false;
+        if (!trim_keeps(k->s->trims, u, v) && !is_near_trim(k->s->trims, p, root, u, v)) return false;
     }
     count->reported_hits++;
     k->found = true;
@@ -299,13 +310,14 @@ static bool is_on_border(const Patch *p, const CertainHit *h)
     return is_near_end(h->u, p->u0, p->u1) || is_near_end(h->v, p->v0, p->v1);
 }
 
-/* One root that two neighbours found on their common border, or that a tangency left in several boxes. */
+/* One root that two neighbours found on their common border (or one patch, on a collapsed side or its own seam), or that a
+ * tangency left in several boxes. */
 static bool is_same_root(const PatchTree *tree, const CertainHit *a, const CertainHit *b)
 {
     if (!(b->t - a->t <= a->depth_error + b->depth_error)) return false;
     const Patch *p = &tree->patches[a->patch], *q = &tree->patches[b->patch];
-    if (p != q) return is_on_border(p, a) && is_on_border(q, b);
-    return fabs(a->u - b->u) <= SAME_PLACE * (p->u1 - p->u0) && fabs(a->v - b->v) <= SAME_PLACE * (p->v1 - p->v0);
+    if (is_on_border(p, a) && is_on_border(q, b)) return true;
+    return p == q && fabs(a->u - b->u) <= SAME_PLACE * (p->u1 - p->u0) && fabs(a->v - b->v) <= SAME_PLACE * (p->v1 - p->v0);
 }
 
 void certain_all(const Surface *s, const PatchTree *tree, const Ray *r, double t_max, Trace *t, CertainList *out)

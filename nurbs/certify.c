@@ -27,7 +27,7 @@ enum { MAX_STEPS = 8 };
 PatchRay patch_ray(Vec3 origin, Vec3 dir, double t_min, double t_max)
 {
     PatchRay r = { .origin = origin, .d = dir, .t_min = t_min, .t_max = t_max };
-    /* an orthonormal basis without a special direction but the sign of z: [Duff et al. 17] */
+    /* an orthonormal basis without a special direction but the sign of z: [DBC17] */
     double sign = copysign(1, dir.z), a = -1 / (sign + dir.z), b = dir.x * dir.y * a;
     r.n1 = vec(1 + sign * dir.x * dir.x * a, sign * b, -sign * dir.x);
     r.n2 = vec(b, sign + dir.y * dir.y * a, -dir.y);
@@ -129,6 +129,9 @@ ALWAYS_INLINE NewtonResult newton(Solve *k, Trace *trace)
     return NEWTON_UNDECIDED;
 }
 
+/* The columns of the frame's Jacobian are at most 1 long: a determinant below this proves nothing, and squares under it vanish. */
+#define NO_ANGLE 0x1p-400
+
 typedef enum { FRAME_MISS, FRAME_ONE_AT_MOST, FRAME_UNDECIDED } FrameResult;
 
 /* What the frame says; sets s and t to the parallelogram's root, within the margin. */
@@ -138,6 +141,7 @@ ALWAYS_INLINE FrameResult frame_test(Solve *k)
     if (!p->has_frame) return FRAME_UNDECIDED;
     set_jacobian(k, p->e_u, p->e_v);
     double det = fabs(k->det), slack = p->deviation + k->rounding;
+    if (!(det > NO_ANGLE)) return FRAME_UNDECIDED;
     double x_s = k->q1 * k->j22 - k->q2 * k->j12, x_t = k->q2 * k->j11 - k->q1 * k->j21;   /* times det */
     double column_v2 = k->j12 * k->j12 + k->j22 * k->j22, column_u2 = k->j11 * k->j11 + k->j21 * k->j21;   /* at most 1 */
     if (fabs(x_s) > p->half_u * det + sqrt(column_v2) * slack) return FRAME_MISS;

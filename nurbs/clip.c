@@ -22,6 +22,10 @@
  * end. */
 #define IN_THE_SURFACE 0x1p-8
 enum { MAX_DECLINED = 64 };
+/* Boxes of one search. Tangencies take some hundred; a search that goes on is among roots that no visitor takes as the nearest,
+ * on a surface that keeps to the ray within a few roundings: then each box has one point of it reported, or none if Newton's
+ * method finds none. */
+enum { PATIENCE = 1 << 15 };
 #define MIN_CLIP 0.8         /* a clip that leaves more than this of both sides is followed by a halving: the 20 % rule */
 #define MIN_WIDTH 0x1p-50    /* of the patch: parameters closer than that are one */
 
@@ -42,6 +46,7 @@ typedef struct {
     int n;                   /* coefficients of a net */
     int *declined;           /* roots that the visitor did not take as the nearest, in the whole search */
     bool *was_halved;        /* the search had to split: counted once as a fallback */
+    int *patience;           /* boxes that may still be looked at before the search makes do with points that Newton finds */
 } Clip;
 
 typedef struct { double lo, hi; } Range;
@@ -369,6 +374,7 @@ static bool settle_in_scratch(const Clip *k, Net *n)
         Range depth = depth_range(k, n);
         if (depth.lo - k->rounding > k->ray->t_max || depth.hi + k->rounding < k->ray->t_min) return false;
         bool is_point = n->s1 - n->s0 <= MIN_WIDTH && n->t1 - n->t0 <= MIN_WIDTH;
+        if (--*k->patience < 0) return is_on_ray(k, n) && report(k, n, !n->is_certified);
         double size = double_max(double_max(a.hi, -a.lo), double_max(b.hi, -b.lo));
         if (is_point) return report(k, n, !n->is_certified);
         if (size <= ON_THE_RAY * error)
@@ -399,9 +405,9 @@ static bool settle(const Clip *k, Net *n)
 bool clip_roots(const Patch *p, PatchRay *ray, RootVisit visit, void *context, Trace *trace)
 {
     Vec3 o = vec_sub(ray->origin, p->origin);
-    int declined = 0;
+    int declined = 0, patience = PATIENCE;
     bool was_halved = false;
-    Clip k = { p, ray, visit, context, trace, patch_rounding(p, o), p->k_u * p->k_v, &declined, &was_halved };
+    Clip k = { p, ray, visit, context, trace, patch_rounding(p, o), p->k_u * p->k_v, &declined, &was_halved, &patience };
     double q1 = vec_dot(ray->n1, o), q2 = vec_dot(ray->n2, o), q3 = vec_dot(ray->d, o);
     ArenaMark mark = arena_mark(trace->scratch);
     Net n = net_new(&k);

@@ -1,4 +1,4 @@
-/* Eight boxes a node in single precision, [Wald et al. 08]; collapsed from the binary tree by opening the child of the largest
+/* Eight boxes a node in single precision, [WBB08]; collapsed from the binary tree by opening the child of the largest
  * area until there are eight.
  *
  * Nothing that the ray meets in exact arithmetic is turned away. The ray is moved to where it enters the tree, and scaled so

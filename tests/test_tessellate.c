@@ -184,7 +184,8 @@ static void check_edges(Arena *a, const Part *part, const Surface *s, const Mesh
     }
     for (size_t i = 0; i < n_open; i += 1 + n_open / 100) {
         Vec3 middle = vec_scale(vec_add(open[i].p, open[i].q), .5);
-        double at_middle = distance_to_loops(part, s, images, middle), at_end = distance_to_loops(part, s, images, open[i].p);
+        double at_middle = distance_to_loops(part, s, images, middle);
+        double at_end = distance_to_loops(part, s, images, open[i].p);
         CHECK_WITHIN(fmax(at_middle, at_end), e + slack, "seed %lu, open edge %zu", (unsigned long)seed, i);
     }
     for (int k = 0; k < part->n_loops; k++)

@@ -84,8 +84,8 @@ void report_plan(Report *r);                             /* scenes, and an empty
 const char *report_command(const Report *r);             /* the command line that repeats it */
 
 /* ---- report_job.c ---- */
-/* Runs work(context) in a process of its own and waits; what it leaves for us must lie in memory from report_shared. NULL, or
- * why it failed: what it said, a signal, more than `seconds`. A signal to stop ends it at once. */
+/* Runs work(context) in a process of its own and waits; what it leaves for us must lie in memory from report_shared. NULL,
+ * or why it failed: what it said, a signal, more than `seconds`. A signal to stop ends it at once. */
 const char *report_job(Arena *a, double seconds, int (*work)(void *context), void *context);
 void *report_shared(size_t n_bytes);                     /* cleared; NULL: no memory. Never given back */
 

@@ -1,5 +1,5 @@
-/* A job is a process group of its own: its memory is its own and can be measured, it can fail in any way, and it can be ended
- * with all that it started. What it says on the standard error is kept for the report. */
+/* A job is a process group of its own: its memory is its own and can be measured, it can fail in any way, and it can be
+ * ended with all that it started. What it says on the standard error is kept for the report. */
 #include "render/report.h"
 
 #include <errno.h>
@@ -43,6 +43,8 @@ static void run_job(FILE *said, int (*work)(void *), void *context)
     _exit(status);
 }
 
+static const char FAIL[] = "trimray: error: ";   /* run_fail */
+
 static const char *what_it_said(Arena *a, FILE *said, int status)
 {
     char text[2000];
@@ -50,7 +52,8 @@ static const char *what_it_said(Arena *a, FILE *said, int status)
     size_t n = fread(text, 1, sizeof text - 1, said);
     while (n > 0 && text[n - 1] == '\n') n--;
     text[n] = '\0';
-    return n > 0 ? arena_strdup(a, text) : arena_printf(a, "exit status %d", status);
+    size_t skipped = strncmp(text, FAIL, sizeof FAIL - 1) == 0 ? sizeof FAIL - 1 : 0;   /* it is said again by the parent */
+    return n > 0 ? arena_strdup(a, text + skipped) : arena_printf(a, "exit status %d", status);
 }
 
 static void limit(double seconds)
@@ -75,7 +78,8 @@ static const char *wait_for(Arena *a, pid_t pid, double seconds, FILE *said)
     alarm(0);
     if (interrupt_came()) return "interrupted";
     if (is_late) return arena_printf(a, "took more than %.0f s", seconds);
-    if (WIFSIGNALED(status)) return arena_printf(a, "ended by signal %d (%s)", WTERMSIG(status), strsignal(WTERMSIG(status)));
+    if (WIFSIGNALED(status)) return arena_printf(a, "ended by signal %d (%s)", WTERMSIG(status),
+        strsignal(WTERMSIG(status)));
     return WEXITSTATUS(status) == 0 ? NULL : what_it_said(a, said, WEXITSTATUS(status));
 }
 

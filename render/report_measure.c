@@ -164,7 +164,8 @@ static int run_once(const Task *k, const Options *o, Turn turn, double number[])
     double chord_error = s->number[REPORT_SETTING] * k->scene->size;
     if (s->series == REPORT_POVRAY) {
         status = report_trace_povray(&run, k->report->povray, chord_error, s->picture, number);
-        if (turn.is_last) report_mesh_scene(run.arena, run.scene, chord_error, &mesh), number[REPORT_PIECES] = (double)mesh.n_triangles;
+        if (turn.is_last) report_mesh_scene(run.arena, run.scene, chord_error, &mesh);
+        if (turn.is_last) number[REPORT_PIECES] = (double)mesh.n_triangles;
         return run_end(&run, status);
     }
     is_surface = report_surfaces(run.arena, run.scene, &n);
@@ -196,7 +197,7 @@ static void keep_medians(double (*runs)[REPORT_N_NUMBERS], int n, double number[
         for (int j = 0; j < n; j++) values[j] = runs[j][i];
         number[i] = median(values, n);
     }
-    if (values) number[REPORT_TOTAL_LEAST] = values[0], number[REPORT_TOTAL_MOST] = values[n - 1];   /* sorted last: totals */
+    if (values) number[REPORT_TOTAL_LEAST] = values[0], number[REPORT_TOTAL_MOST] = values[n - 1];   /* totals came last */
     number[REPORT_RUNS] = n;
     free(values);
 }

@@ -28,7 +28,8 @@ static void put_base64(FILE *f, const unsigned char *bytes, size_t n)
 {
     static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     for (size_t i = 0; i < n; i += 3) {
-        unsigned word = (unsigned)bytes[i] << 16 | (i + 1 < n ? (unsigned)bytes[i + 1] << 8 : 0) | (i + 2 < n ? bytes[i + 2] : 0);
+        unsigned word = (unsigned)bytes[i] << 16 | (i + 1 < n ? (unsigned)bytes[i + 1] << 8 : 0)
+            | (i + 2 < n ? bytes[i + 2] : 0);
         for (size_t k = 0; k < 4; k++) fputc(k <= n - i ? digits[word >> (18 - 6 * k) & 63] : '=', f);
     }
 }
@@ -85,8 +86,9 @@ static void put_comparison(FILE *f, const Report *r, const ReportScene *scene)
         fputs("</div>\n", f);
     }
     fputs("<input type=\"range\" min=\"0\" max=\"100\" value=\"50\" aria-label=\"picture or differences\">\n"
-          "<figcaption>Left of the line the picture, right of it what differs from the reference: grey is equal, blue differs by"
-          " at most 1/255, yellow, red and white by more and more. Move the slider.</figcaption>\n</figure>\n", f);
+          "<figcaption>Left of the line the picture, right of it what differs from the reference: grey is equal, blue"
+          " differs by at most 1/255, yellow, red and white by more and more. Move the slider.</figcaption>\n"
+          "</figure>\n", f);
 }
 
 static void put_pictures(FILE *f, const Report *r, const ReportScene *s)
@@ -119,7 +121,7 @@ static void put_legend(FILE *f, const Report *r)
     for (int k = 0; k < REPORT_N_SERIES; k++) {
         if (k == REPORT_POVRAY && !r->povray) continue;
         fprintf(f, "<li><svg viewBox=\"0 0 36 16\" aria-hidden=\"true\"><path class=\"line s%d\" d=\"M0 8H36\"/>"
-                "<circle class=\"mark point s%d\" cx=\"18\" cy=\"8\" r=\"5\"/></svg>%s</li>\n", k, k, report_methods[k].title);
+                "<circle class=\"dot s%d\" cx=\"18\" cy=\"8\" r=\"5\"/></svg>%s</li>\n", k, k, report_methods[k].title);
     }
     fputs("<li class=\"faint\">ringed and dotted: the Pareto front, nothing is both cheaper and better; larger: the default;"
           " 0: no error at all</li>\n</ul>\n", f);
@@ -143,39 +145,43 @@ static void put_cell(FILE *f, double x, const char *format)
     fputs("</td>", f);
 }
 
-static void put_numbers(FILE *f, const ReportSample *s)
+static void put_head(FILE *f, const char *heading, const char *class)
 {
-    static const struct { ReportNumber number; const char *format; } cells[] = {
-        { REPORT_TOTAL, "%.3f" }, { REPORT_TOTAL_LEAST, "%.3f" }, { REPORT_TOTAL_MOST, "%.3f" }, { REPORT_PARSE, "%.3f" },
-        { REPORT_PREPARE, "%.3f" }, { REPORT_TRACE, "%.3f" }, { REPORT_WRITE, "%.3f" }, { REPORT_PEAK_MB, "%.1f" },
-        { REPORT_GEOMETRY_MB, "%.3g" }, { REPORT_PIECES, "%.0f" }, { REPORT_MISSED, "%.0f" }, { REPORT_FALSE, "%.0f" },
-        { REPORT_OTHER, "%.0f" }, { REPORT_DEPTH_MEDIAN, "%.2g" }, { REPORT_DEPTH_P99, "%.2g" },
-        { REPORT_DEPTH_LARGEST, "%.2g" }, { REPORT_NORMAL_MEDIAN, "%.2g" }, { REPORT_NORMAL_P99, "%.2g" },
-        { REPORT_RMSE, "%.2g" }, { REPORT_LARGEST, "%.2g" }, { REPORT_OVER, "%.2g" },
-    };
-    for (size_t i = 0; i < sizeof cells / sizeof *cells; i++) put_cell(f, s->number[cells[i].number], cells[i].format);
+    fprintf(f, "<h3>%s</h3>\n<div class=\"scroll\"><table class=\"%s\"><tr>", heading, class);
 }
+
+static const struct { const char *title; ReportNumber number; const char *format; } cells[] = {
+    { "total s", REPORT_TOTAL, "%.3f" }, { "least", REPORT_TOTAL_LEAST, "%.3f" }, { "most", REPORT_TOTAL_MOST, "%.3f" },
+    { "parse", REPORT_PARSE, "%.3f" }, { "prepare", REPORT_PREPARE, "%.3f" }, { "trace", REPORT_TRACE, "%.3f" },
+    { "write", REPORT_WRITE, "%.3f" }, { "peak<br>MB", REPORT_PEAK_MB, "%.1f" },
+    { "geometry<br>MB", REPORT_GEOMETRY_MB, "%.3g" }, { "leaves or<br>triangles", REPORT_PIECES, "%.0f" },
+    { "missed<br>rays", REPORT_MISSED, "%.0f" }, { "false", REPORT_FALSE, "%.0f" }, { "other", REPORT_OTHER, "%.0f" },
+    { "depth<br>median", REPORT_DEPTH_MEDIAN, "%.2g" }, { "99 %", REPORT_DEPTH_P99, "%.2g" },
+    { "largest", REPORT_DEPTH_LARGEST, "%.2g" }, { "normal °<br>median", REPORT_NORMAL_MEDIAN, "%.2g" },
+    { "99 %", REPORT_NORMAL_P99, "%.2g" }, { "picture<br>RMSE", REPORT_RMSE, "%.2g" },
+    { "largest", REPORT_LARGEST, "%.2g" }, { "share over<br>1/255", REPORT_OVER, "%.2g" },
+};
+enum { N_CELLS = sizeof cells / sizeof *cells };
 
 static void put_sample(FILE *f, const Report *r, const ReportSample *s)
 {
-    fprintf(f, "<tr%s><td>%s</td>", s->number[REPORT_IS_DEFAULT] == 1 ? " class=\"default\"" : "", report_sample_name(r->arena, s));
+    const char *class = s->number[REPORT_IS_DEFAULT] == 1 ? " class=\"default\"" : "";
+    fprintf(f, "<tr%s><td>%s</td>", class, report_sample_name(r->arena, s));
     if (s->failure) {
-        fputs("<td colspan=\"21\" class=\"failure\">", f);
+        fprintf(f, "<td colspan=\"%d\" class=\"failure\">", N_CELLS);
         report_escape(f, s->failure);
         fputs("</td>", f);
-    } else {
-        put_numbers(f, s);
     }
+    for (int i = 0; !s->failure && i < N_CELLS; i++) put_cell(f, s->number[cells[i].number], cells[i].format);
     fputs("</tr>\n", f);
 }
 
 static void put_table(FILE *f, const Report *r, const ReportScene *scene)
 {
-    fputs("<h3>All settings</h3>\n<div class=\"scroll\"><table class=\"settings\"><tr><th>method and setting</th><th>total s</th><th>least</th>"
-          "<th>most</th><th>parse</th><th>prepare</th><th>trace</th><th>write</th><th>peak<br>MB</th><th>geometry<br>MB</th>"
-          "<th>leaves or<br>triangles</th><th>missed</th><th>false</th><th>other</th><th>depth<br>median</th><th>99 %</th>"
-          "<th>largest</th><th>normal °<br>median</th><th>99 %</th><th>picture<br>RMSE</th><th>largest</th><th>share over<br>1/255"
-          "</th></tr>\n", f);
+    put_head(f, "All settings", "settings");
+    fputs("<th>method and setting</th>", f);
+    for (int i = 0; i < N_CELLS; i++) fprintf(f, "<th>%s</th>", cells[i].title);
+    fputs("</tr>\n", f);
     for (size_t i = 0; i < r->n_samples; i++)
         if (r->samples[i].scene == scene && r->samples[i].is_done) put_sample(f, r, &r->samples[i]);
     fputs("</table></div>\n", f);
@@ -197,10 +203,13 @@ static void put_statistics_row(FILE *f, const ReportSample *s)
 
 static void put_statistics(FILE *f, const Report *r, const ReportScene *scene)
 {
-    fputs("<h3>Statistics, as in [MCFS00] Figure 8</h3>\n<div class=\"scroll\"><table class=\"statistics\"><tr><th>method</th><th>surfaces</th><th>trims"
-          "</th><th>rays</th><th>BV inter-<br>sections</th><th>light BV<br>intersections</th><th>NURBS<br>tests</th>"
-          "<th>µs a test</th><th>hits</th><th>of tests</th><th>reported<br>hits</th><th>of tests</th><th>iterations<br>a test</th>"
-          "</tr>\n", f);
+    static const char *const titles[] = {
+        "method", "surfaces", "trims", "rays", "BV inter-<br>sections", "light BV<br>intersections", "NURBS<br>tests",
+        "µs a test", "hits", "of tests", "reported<br>hits", "of tests", "iterations<br>a test"
+    };
+    put_head(f, "Statistics, as in [MCFS00] Figure 8", "statistics");
+    for (size_t i = 0; i < sizeof titles / sizeof *titles; i++) fprintf(f, "<th>%s</th>", titles[i]);
+    fputs("</tr>\n", f);
     for (size_t i = 0; i < r->n_samples; i++) {
         const ReportSample *s = &r->samples[i];
         bool has_tests = s->series == REPORT_CERTAIN || s->series == REPORT_PAPER_ITERATIONS;
@@ -235,31 +244,40 @@ static void put_scene(FILE *f, const Report *r, const ReportScene *s)
 
 static void put_columns(FILE *f)
 {
-    fputs("<h3>The columns of report.csv</h3>\n<div class=\"scroll\"><table class=\"words\"><tr><th>column</th><th>unit</th><th>meaning"
-          "</th></tr>\n", f);
-    for (int i = 0; i < REPORT_N_NUMBERS; i++)
-        fprintf(f, "<tr><td><code>%s</code></td><td>%s</td><td>%s</td></tr>\n", report_columns[i].name, report_columns[i].unit,
-                report_columns[i].help);
+    put_head(f, "The columns of report.csv", "words");
+    fputs("<th>column</th><th>unit</th><th>meaning</th></tr>\n", f);
+    for (int i = 0; i < REPORT_N_NUMBERS; i++) {
+        const ReportColumn *c = &report_columns[i];
+        fprintf(f, "<tr><td><code>%s</code></td><td>%s</td><td>%s</td></tr>\n", c->name, c->unit, c->help);
+    }
     fputs("</table></div>\n", f);
+}
+
+static const char METHOD[] =
+    "<section>\n<h2>How the numbers were made</h2>\n"
+    "<p>Each setting is traced in a process of its own, from the scene's file to the picture's, several times; times are"
+    " medians. Errors are counted on one camera ray through the middle of each pixel, against <code>certain</code> with leaves far"
+    " smaller than its default, which loses no hit; the picture's on the same rays with all of their light."
+    " <code>paper</code> is the method of [MCFS00]: its flatness C with ten Newton steps, and its iteration limit with the"
+    " flatness that trimray chooses. <code>mesh</code> cuts each surface into triangles within the chord error and traces"
+    " these, in the same program; <code>povray</code> is POV-Ray on the exported scene with the same triangles.</p>\n";
+
+static void put_entry(FILE *f, const char *what, const char *text)
+{
+    fprintf(f, "<dt>%s</dt><dd>", what);
+    report_escape(f, text);
+    fputs("</dd>\n", f);
 }
 
 static void put_method(FILE *f, const Report *r)
 {
-    fputs("<section>\n<h2>How the numbers were made</h2>\n"
-          "<p>Each setting is traced in a process of its own, from the scene's file to the picture's, several times; times are"
-          " medians. Errors are counted on one camera ray through the middle of each pixel, against <code>certain</code> with leaves"
-          " far smaller than its default, which keeps every hit; the picture's on the same rays with all of their light."
-          " <code>paper</code> is the method of [MCFS00]: its flatness C with ten Newton steps, and its iteration limit with the"
-          " flatness that trimray chooses. <code>mesh</code> cuts each surface into triangles within the chord error and traces"
-          " these, in the same program; <code>povray</code> is POV-Ray on the exported scene with the same triangles.</p>\n<dl>\n", f);
-    fputs("<dt>machine</dt><dd>", f);
-    report_escape(f, report_machine(r->arena));
-    fputs("</dd>\n<dt>program</dt><dd>", f);
-    report_escape(f, report_build());
-    fprintf(f, "</dd>\n<dt>picture</dt><dd>%d x %d</dd>\n<dt>threads, runs</dt><dd>%d, %d</dd>\n<dt>to repeat it</dt><dd><code>",
-            r->width, r->height, r->n_threads, r->n_runs);
-    report_escape(f, report_command(r));
-    fputs("</code></dd>\n</dl>\n", f);
+    fprintf(f, "%s<dl>\n", METHOD);
+    put_entry(f, "machine", report_machine(r->arena));
+    put_entry(f, "program", report_build());
+    put_entry(f, "picture", arena_printf(r->arena, "%d x %d", r->width, r->height));
+    put_entry(f, "threads, runs", arena_printf(r->arena, "%d, %d", r->n_threads, r->n_runs));
+    put_entry(f, "to repeat it", report_command(r));
+    fputs("</dl>\n", f);
     put_columns(f);
     fputs("</section>\n", f);
 }
@@ -281,11 +299,17 @@ static void put_contents(FILE *f, const Report *r)
     fputs("</p>\n", f);
 }
 
+/* The policy allows what is in the page, and nothing that is not. */
+static const char HEAD[] =
+    "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+    "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+    "<meta http-equiv=\"Content-Security-Policy\"\n"
+    "  content=\"default-src 'none'; img-src data:; style-src 'unsafe-inline'; script-src 'unsafe-inline'\">\n"
+    "<title>Error against run time</title>\n<link rel=\"icon\" href=\"data:,\">\n<style>\n";
+
 static void put_page(FILE *f, const Report *r)
 {
-    fputs("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>Error against run time</title>\n"
-          "<link rel=\"icon\" href=\"data:,\">\n<style>\n", f);
+    fputs(HEAD, f);
     put_lines(f, report_style);
     fputs("</style>\n</head>\n<body>\n<h1>Error against run time</h1>\n"
           "<p>NURBS surfaces intersected directly, and as triangles: what each method gets wrong, and what it costs."

@@ -14,9 +14,10 @@ static const double quick_povray_chords[] = { 4e-3, 1e-3, 2.5e-4, 0 };
 
 const ReportMethod report_methods[REPORT_N_SERIES] = {
     [REPORT_CERTAIN] = { "certain", "certain", "leaf variation", "certain: leaf size", variations, quick_variations, .35 },
-    [REPORT_PAPER_FLATNESS] = { "paper-flatness", "paper", "flatness C", "paper: flatness", flatnesses, quick_flatnesses, 0 },
-    [REPORT_PAPER_ITERATIONS] = { "paper-iterations", "paper", "iterations", "paper: iterations", iterations, quick_iterations,
-                                  10 },
+    [REPORT_PAPER_FLATNESS] = { "paper-flatness", "paper", "flatness C", "paper: flatness",
+                                flatnesses, quick_flatnesses, 0 },
+    [REPORT_PAPER_ITERATIONS] = { "paper-iterations", "paper", "iterations", "paper: iterations",
+                                  iterations, quick_iterations, 10 },
     [REPORT_MESH] = { "mesh", "mesh", "chord error", "mesh, by trimray", chords, quick_chords, 0 },
     [REPORT_POVRAY] = { "povray", "povray", "chord error", "mesh, by POV-Ray", povray_chords, quick_povray_chords, 0 },
 };
@@ -85,6 +86,7 @@ const char *report_command(const Report *r)
 {
     const char *line = "trimray report";
     for (size_t i = 0; i < r->n_scenes; i++) line = arena_printf(r->arena, "%s %s", line, r->scenes[i].path);
-    return arena_printf(r->arena, "%s -o %s%s +W%d +H%d +WT%d --runs %d", line, r->folder, r->options->is_quick ? " --quick" : "",
-                        r->width, r->height, r->n_threads, r->n_runs);
+    const char *quick = r->options->is_quick ? " --quick" : "";
+    return arena_printf(r->arena, "%s -o %s%s +W%d +H%d +WT%d --runs %d", line, r->folder, quick, r->width, r->height,
+                        r->n_threads, r->n_runs);
 }

@@ -43,23 +43,26 @@ static double place(const Axis *a, double v)
 static void place_axes(Plot *p)
 {
     p->x = axis_of(p, true), p->y = axis_of(p, false);
-    p->x.from = LEFT + (p->x.has_zero ? ZERO_BAND : 0), p->x.to = WIDTH - RIGHT, p->x.zero = LEFT + ZERO_BAND / 2.;
-    p->y.from = HEIGHT - BOTTOM - (p->y.has_zero ? ZERO_BAND : 0), p->y.to = TOP, p->y.zero = HEIGHT - BOTTOM - ZERO_BAND / 2.;
+    const double left = LEFT, bottom = HEIGHT - BOTTOM, band = ZERO_BAND;
+    p->x.from = left + p->x.has_zero * band, p->x.to = WIDTH - RIGHT, p->x.zero = left + band / 2;
+    p->y.from = bottom - p->y.has_zero * band, p->y.to = TOP, p->y.zero = bottom - band / 2;
 }
 
 static void put_tick(const Plot *p, bool is_x, double at, const char *label)
 {
     if (is_x)
-        fprintf(p->file, "<path class=\"grid\" d=\"M%.1f %dV%d\"/><text x=\"%.1f\" y=\"%d\" text-anchor=\"middle\">%s</text>\n",
+        fprintf(p->file, "<path class=\"grid\" d=\"M%.1f %dV%d\"/>"
+                "<text x=\"%.1f\" y=\"%d\" text-anchor=\"middle\">%s</text>\n",
                 at, TOP, HEIGHT - BOTTOM, at, HEIGHT - BOTTOM + 16, label);
     else
-        fprintf(p->file, "<path class=\"grid\" d=\"M%d %.1fH%d\"/><text x=\"%d\" y=\"%.1f\" text-anchor=\"end\">%s</text>\n",
+        fprintf(p->file, "<path class=\"grid\" d=\"M%d %.1fH%d\"/>"
+                "<text x=\"%d\" y=\"%.1f\" text-anchor=\"end\">%s</text>\n",
                 LEFT, at, WIDTH - RIGHT, LEFT - 6, at + 4, label);
 }
 
-static const char *power_of_ten(Arena *a, int e)
+static const char *power_of_ten(Arena *a, int e, bool is_among_others)
 {
-    if (e >= -2 && e <= 4) return arena_printf(a, "%g", pow(10, e));
+    if (is_among_others || (e >= -2 && e <= 4)) return arena_printf(a, "%g", pow(10, e));
     return arena_printf(a, "10<tspan dy=\"-5\" font-size=\"9\">%d</tspan>", e);
 }
 
@@ -73,7 +76,7 @@ static void put_ticks(const Plot *p, bool is_x)
             double v = k * pow(10, e);
             bool is_wanted = k == 1 ? e % step == 0 : a->hi - a->lo < 1 || (a->hi - a->lo < 2 && (k == 2 || k == 5));
             if (!is_wanted || log10(v) < a->lo || log10(v) > a->hi) continue;
-            const char *label = k == 1 ? power_of_ten(p->arena, e) : arena_printf(p->arena, "%g", v);
+            const char *label = k == 1 ? power_of_ten(p->arena, e, a->hi - a->lo < 2) : arena_printf(p->arena, "%g", v);
             put_tick(p, is_x, place(a, v), label);
         }
     }
@@ -83,8 +86,10 @@ static void put_ticks(const Plot *p, bool is_x)
 static void put_titles(const Plot *p, const ReportPlot *what)
 {
     fprintf(p->file, "<text class=\"title\" x=\"%d\" y=\"18\">%s</text>\n", LEFT, what->title);
-    fprintf(p->file, "<text x=\"%d\" y=\"%d\" text-anchor=\"middle\">%s</text>\n", (LEFT + WIDTH) / 2, HEIGHT - 10, what->x_title);
-    fprintf(p->file, "<text transform=\"translate(14 %d) rotate(-90)\" text-anchor=\"middle\">%s</text>\n", HEIGHT / 2, what->y_title);
+    fprintf(p->file, "<text x=\"%d\" y=\"%d\" text-anchor=\"middle\">%s</text>\n", (LEFT + WIDTH) / 2, HEIGHT - 10,
+            what->x_title);
+    fprintf(p->file, "<text transform=\"translate(14 %d) rotate(-90)\" text-anchor=\"middle\">%s</text>\n", HEIGHT / 2,
+            what->y_title);
     fprintf(p->file, "<path class=\"frame\" d=\"M%d %dV%dH%d\"/>\n", LEFT, TOP, HEIGHT - BOTTOM, WIDTH - RIGHT);
 }
 
@@ -131,11 +136,13 @@ static void put_point(const Plot *p, const Point *at, const ReportPlot *what)
 {
     double x = place(&p->x, at->x), y = place(&p->y, at->y);
     const double *n = at->sample->number;
-    if (at->is_best) fprintf(p->file, "<circle class=\"ring s%d\" cx=\"%.1f\" cy=\"%.1f\" r=\"8\"/>\n", at->sample->series, x, y);
-    fprintf(p->file, "<circle class=\"point s%d\" tabindex=\"0\" cx=\"%.1f\" cy=\"%.1f\" r=\"%g\"><title>%s%s\n%s %.3g\n%s %.3g\n"
-            "run time %.3g s (%.3g to %.3g)</title></circle>\n", at->sample->series, x, y, n[REPORT_IS_DEFAULT] == 1 ? 5.5 : 4.,
-            report_sample_name(p->arena, at->sample), n[REPORT_IS_DEFAULT] == 1 ? " (default)" : "",
-            what->y_title, at->y, what->x_title, at->x, n[REPORT_TOTAL], n[REPORT_TOTAL_LEAST], n[REPORT_TOTAL_MOST]);
+    bool is_default = n[REPORT_IS_DEFAULT] == 1;
+    int series = at->sample->series;
+    if (at->is_best) fprintf(p->file, "<circle class=\"ring s%d\" cx=\"%.1f\" cy=\"%.1f\" r=\"8\"/>\n", series, x, y);
+    fprintf(p->file, "<circle class=\"dot point s%d\" tabindex=\"0\" cx=\"%.1f\" cy=\"%.1f\" r=\"%g\"><title>%s%s\n",
+            series, x, y, is_default ? 5.5 : 4., report_sample_name(p->arena, at->sample), is_default ? " (default)" : "");
+    fprintf(p->file, "%s %.3g\n%s %.3g\nrun time %.3g s (%.3g to %.3g)</title></circle>\n", what->y_title, at->y,
+            what->x_title, at->x, n[REPORT_TOTAL], n[REPORT_TOTAL_LEAST], n[REPORT_TOTAL_MOST]);
 }
 
 static void put_series(const Plot *p, int series, const ReportPlot *what)

@@ -67,7 +67,8 @@ static void keep(Run *run, const char *log, double export_seconds, double wall, 
 {
     size_t n;
     const char *text = file_read(log, run->arena, &n);
-    double bounding = text ? seconds_after(text, "Bounding Time:") : 0, trace = text ? seconds_after(text, "Trace Time:") : 0;
+    if (!text) text = "";
+    double bounding = seconds_after(text, "Bounding Time:"), trace = seconds_after(text, "Trace Time:");
     number[REPORT_PARSE] = run->parse_seconds + fmax(wall - bounding - trace, 0);   /* its start and its end are in it */
     number[REPORT_PREPARE] = run->prep_seconds + export_seconds + bounding;
     number[REPORT_TRACE] = trace, number[REPORT_WRITE] = 0;

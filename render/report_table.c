@@ -12,11 +12,11 @@
 #include <unistd.h>
 
 const ReportColumn report_columns[REPORT_N_NUMBERS] = {
-    [REPORT_SETTING] = { "setting", "", "the knob's value; chord errors in units of the size: the diagonal of the box of all surfaces" },
+    [REPORT_SETTING] = { "setting", "", "the knob's value; chord errors in units of the size: the box's diagonal" },
     [REPORT_IS_DEFAULT] = { "is_default", "", "1 where trimray would choose this setting itself" },
     [REPORT_RUNS] = { "runs", "", "how often it was timed, from the scene's file to the picture's; times are medians" },
-    [REPORT_PARSE] = { "parse_seconds", "s", "reading the scene; POV-Ray: reading the exported scene, its start and its end" },
-    [REPORT_PREPARE] = { "prepare_seconds", "s", "leaves and trees; triangles and their tree; export and bounding, for POV-Ray" },
+    [REPORT_PARSE] = { "parse_seconds", "s", "reading the scene; POV-Ray: the exported one, its start and its end" },
+    [REPORT_PREPARE] = { "prepare_seconds", "s", "leaves and trees; triangles and trees; POV-Ray: export and bounding" },
     [REPORT_TRACE] = { "trace_seconds", "s", "rays and shading, without what they made to be prepared" },
     [REPORT_WRITE] = { "write_seconds", "s", "the picture's file, 16 bits a channel" },
     [REPORT_TOTAL] = { "total_seconds", "s", "all of it" },
@@ -30,9 +30,9 @@ const ReportColumn report_columns[REPORT_N_NUMBERS] = {
     [REPORT_FALSE] = { "false", "rays", "rays that find a surface where there is none" },
     [REPORT_OTHER] = { "other", "rays", "rays that find another surface" },
     [REPORT_COVERAGE] = { "coverage_error", "", "missed, false and other, as a share of seen" },
-    [REPORT_DEPTH_MEDIAN] = { "depth_median", "of the size", "error of the distance along the ray, where both find the same surface" },
+    [REPORT_DEPTH_MEDIAN] = { "depth_median", "of the size", "error of the distance, where both find the same surface" },
     [REPORT_DEPTH_P99] = { "depth_p99", "of the size", "the same: 99 % of the rays are better" },
-    [REPORT_DEPTH_LARGEST] = { "depth_largest", "of the size", "the same: the worst ray; beside a silhouette that may be another sheet" },
+    [REPORT_DEPTH_LARGEST] = { "depth_largest", "of the size", "the same: the worst ray; beside edges maybe another sheet" },
     [REPORT_NORMAL_MEDIAN] = { "normal_median", "degrees", "angle between the normals that light sees" },
     [REPORT_NORMAL_P99] = { "normal_p99", "degrees", "the same: 99 % of the rays are better" },
     [REPORT_NORMAL_LARGEST] = { "normal_largest", "degrees", "the same: the worst ray" },
@@ -95,11 +95,11 @@ static void write_text_field(FILE *f, const char *text)
     fputc('"', f);
 }
 
-/* The shortest form that reads back as the same number. */
+/* The shortest form with the first 15 digits, as cJSON writes numbers. */
 static void write_number(FILE *f, double x)
 {
     char text[32];
-    for (int digits = 6; digits <= 17; digits++) {
+    for (int digits = 6; digits <= 15; digits++) {
         snprintf(text, sizeof text, "%.*g", digits, x);
         if (strtod(text, NULL) == x) break;
     }

@@ -37,10 +37,10 @@ static double pass_seconds(Engine *e, const RaySet *set, size_t stride, double *
 }
 
 /* Average seconds of a leaf test, by the wall's clock, which other load disturbs: hence in chunks, the best of three for each. */
-static double test_seconds(Engine *e, const RaySet *set, size_t stride, double *t)
+static double test_seconds(Engine *e, const RaySet *set, size_t stride)
 {
     enum { CHUNK = 256 };
-    double seconds = 0;
+    double seconds = 0, t[CHUNK];
     uint64_t tests = 0;
     for (size_t i = 0; i < set->n; i += CHUNK * stride) {
         RaySet chunk = { .name = set->name, .rays = set->rays + i, .t_max = set->t_max ? set->t_max + i : NULL };
@@ -72,7 +72,7 @@ Speed measure_speed(Engine *e, const RaySet *set, int repeats, double budget, do
     s.spread = (seconds[repeats - 1] - seconds[0]) / median;
     s.cycles_per_ray = cycles_per_second() / s.rays_per_second;
     Counters counted = e->cost.counters;
-    if (e->test_seconds) s.cycles_per_test = cycles_per_second() * test_seconds(e, set, s.stride, t);
+    if (e->test_seconds) s.cycles_per_test = cycles_per_second() * test_seconds(e, set, s.stride);
     e->cost.counters = counted;
     return s;
 }

@@ -1,15 +1,18 @@
 /* See judge.h. */
 #include "tests/stress/judge.h"
 
+#include "render/hit_list.h"
+
+#include <string.h>
 #include <time.h>
 
-const char *const judgement_name[] = { "right", "in the band", "missed", "false", "inexact" };
+const char *const judgement_name[] = { "right", "in the band", "missed", "false", "inexact", "not all hits once" };
 
 void row_add(Row *to, const Row *from)
 {
     to->rays += from->rays, to->hits += from->hits, to->in_band += from->in_band, to->missed += from->missed;
-    to->false_hits += from->false_hits, to->inexact += from->inexact, to->tests += from->tests;
-    to->fallbacks += from->fallbacks, to->seconds += from->seconds;
+    to->false_hits += from->false_hits, to->inexact += from->inexact, to->not_once += from->not_once;
+    to->tests += from->tests, to->fallbacks += from->fallbacks, to->seconds += from->seconds;
     to->worst = fmax(to->worst, from->worst), to->slowest = fmax(to->slowest, from->slowest);
 }
 
@@ -65,6 +68,37 @@ static Judgement judge(const Truth *truth, const Ray *r, bool is_hit, double t, 
     return JUDGED_RIGHT;
 }
 
+/* Is each sure root among all hits once (an odd number of times, where roots are too near to each other to tell), and is
+ * nothing there but roots? */
+static bool has_all_once(Shape *s, const Ray *r, const Truth *truth, Trace *trace)
+{
+    if (!s->type->all_hits) return true;
+    long double slack = TRUTH_ERROR * truth->length;
+    ArenaMark mark = arena_mark(trace->scratch);
+    HitList list = hit_list_make(trace->scratch, INFINITY);
+    shape_all_hits(s, r, &list, trace);
+    int count[TRUTH_MAX] = { 0 };
+    bool is_right = true, is_crowded = false;
+    for (size_t h = 0; h < list.n; h++) {
+        int found = -1;
+        for (int i = 0; i < truth->n; i++) {
+            if (!(truth->root[i].lo - slack <= list.hits[h].t && list.hits[h].t <= truth->root[i].hi + slack)) continue;
+            is_crowded |= found >= 0;   /* between two roots: which one it is cannot be told */
+            found = i;
+        }
+        if (found >= 0) count[found]++;
+        is_right = is_right && found >= 0;
+    }
+    for (int i = 0; i < truth->n && !is_crowded; i++) {
+        const TruthRoot *root = &truth->root[i];
+        if (!truth_is_sure(root) || !(root->lo - slack > r->t_min)) continue;
+        bool is_narrow = root->hi - root->lo <= 2 * slack;
+        is_right = is_right && (is_narrow ? count[i] == 1 : count[i] % 2 == 1);
+    }
+    arena_reset(trace->scratch, mark);
+    return is_right;
+}
+
 static bool is_normal(const Shape *s, const Ray *r, const Hit *h)
 {
     Attributes a;
@@ -109,9 +143,11 @@ Verdict judge_ray(const Model *m, int method, const Ray *r, const Truth *truth, 
         else if (!is_hit && v.judgement == JUDGED_RIGHT) v.judgement = JUDGED_FALSE;
     }
     if (is_hit && v.judgement <= JUDGED_IN_BAND && !is_normal(s, r, &hit)) v.judgement = JUDGED_INEXACT;
+    if (v.judgement <= JUDGED_IN_BAND && !has_all_once(s, r, truth, trace)) v.judgement = JUDGED_NOT_ONCE;
     row->rays++, row->hits += is_hit;
     row->in_band += v.judgement == JUDGED_IN_BAND, row->missed += v.judgement == JUDGED_MISSED;
     row->false_hits += v.judgement == JUDGED_FALSE, row->inexact += v.judgement == JUDGED_INEXACT;
+    row->not_once += v.judgement == JUDGED_NOT_ONCE;
     return v;
 }
 
@@ -120,6 +156,19 @@ static void report_numbers(FILE *to, const char *name, const double *x, int n)
     fprintf(to, "static const double %s[] = {", name);
     for (int i = 0; i < n; i++) fprintf(to, "%s %a", i ? "," : "", x[i]);
     fprintf(to, " };\n");
+}
+
+static void report_all_hits(FILE *to, const Model *m, const Ray *r)
+{
+    Trace trace;
+    memset(&trace, 0, sizeof trace);
+    trace.scratch = arena_new();
+    HitList list = hit_list_make(trace.scratch, INFINITY);
+    shape_all_hits(m->shape[NURBS_METHOD_CERTAIN], r, &list, &trace);
+    for (size_t i = 0; i < list.n && i < 20; i++)
+        fprintf(to, "   all hits: t %.17g +- %.3g at (%.17g, %.17g)\n", list.hits[i].t, list.hits[i].t_error, list.hits[i].u,
+                list.hits[i].v);
+    arena_free(trace.scratch);
 }
 
 void judge_report(FILE *to, const Model *m, const Ray *r, const Truth *truth, Verdict v)
@@ -134,6 +183,7 @@ void judge_report(FILE *to, const Model *m, const Ray *r, const Truth *truth, Ve
         fprintf(to, "   t %.20Lg  -%.3Lg +%.3Lg  %s%s\n", root->t, root->t - root->lo, root->hi - root->t,
                 root->is_odd ? "odd" : "even", root->is_inside ? "" : ", at the border");
     }
+    if (v.judgement == JUDGED_NOT_ONCE) report_all_hits(to, m, r);
     fprintf(to, "*/\n");
     report_numbers(to, "knots_u", d->knots_u, d->n_u + d->order_u);
     report_numbers(to, "knots_v", d->knots_v, d->n_v + d->order_v);

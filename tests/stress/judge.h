@@ -11,6 +11,7 @@ typedef struct {
     uint64_t in_band;            /* the truth leaves it open, or holds t to the band only */
     uint64_t missed, false_hits; /* first hits; and what `blocks` says */
     uint64_t inexact;            /* hits on the right root (JUDGE_NEAR) whose t is wrong, or that have no normal */
+    uint64_t not_once;           /* all hits of a ray: one missing, doubled or where there is no root; outside the band */
     double worst;                /* |t error| relative to size and distance, outside the band */
     uint64_t tests, fallbacks;
     double seconds, slowest;     /* of all rays, of one */
@@ -18,7 +19,7 @@ typedef struct {
 
 void row_add(Row *to, const Row *from);
 
-typedef enum { JUDGED_RIGHT, JUDGED_IN_BAND, JUDGED_MISSED, JUDGED_FALSE, JUDGED_INEXACT } Judgement;
+typedef enum { JUDGED_RIGHT, JUDGED_IN_BAND, JUDGED_MISSED, JUDGED_FALSE, JUDGED_INEXACT, JUDGED_NOT_ONCE } Judgement;
 extern const char *const judgement_name[];
 
 typedef struct { Judgement judgement; bool is_hit; double t, u, v, seconds; } Verdict;

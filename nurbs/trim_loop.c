@@ -23,9 +23,25 @@ static bool are_equal(WidePoint a, WidePoint b)
     return a.x.hi == b.x.hi && a.y.hi == b.y.hi && a.x.lo == b.x.lo && a.y.lo == b.y.lo;
 }
 
+/* Is b on the straight way from a to c along a border? */
+static bool is_between(Wide across_a, Wide across_b, Wide across_c, Wide a, Wide b, Wide c)
+{
+    bool is_border = across_b.lo == 0 && (across_b.hi == 0 || across_b.hi == 1);
+    return is_border && across_a.hi == across_b.hi && across_c.hi == across_b.hi && wide_less(a, b) == wide_less(b, c);
+}
+
+/* Curves along a border come in many parts, each with a little noise: one piece is enough. */
+static bool is_on_the_way(const Outline *o, WidePoint c)
+{
+    if (o->n < 2 || o->sides[o->n - 2].arc.segment) return false;
+    WidePoint a = o->sides[o->n - 2].p, b = o->sides[o->n - 1].p;
+    return is_between(a.x, b.x, c.x, a.y, b.y, c.y) || is_between(a.y, b.y, c.y, a.x, b.x, c.x);
+}
+
 static void add_vertex(Outline *o, WidePoint p)
 {
     if (o->n > 0 && are_equal(o->sides[o->n - 1].p, p)) return;
+    if (is_on_the_way(o, p)) o->n--;
     ARENA_PUSH(o->arena, o->sides, o->n, o->capacity) = (Side){ .p = p };
     o->has_low = o->has_low || p.x.lo != 0 || p.y.lo != 0;
 }
@@ -53,8 +69,8 @@ static bool note_outside(Outline *o, Vec2 p)
     return d <= TRIM_OUTSIDE;
 }
 
-static double to_border(double x) { return x <= TRIM_SILENT ? 0 : x >= 1 - TRIM_SILENT ? 1 : x; }
-static void add_clamped(Outline *o, Vec2 p) { add_vertex(o, wide_point(vec2(to_border(p.x), to_border(p.y)))); }
+static Wide to_border(Wide x) { return x.hi <= TRIM_SILENT ? wide(0) : x.hi >= 1 - TRIM_SILENT ? wide(1) : x; }
+static void add_clamped(Outline *o, WidePoint p) { add_vertex(o, (WidePoint){ to_border(p.x), to_border(p.y) }); }
 
 /* ---- straight pieces ---- */
 
@@ -85,9 +101,9 @@ static void add_straight(Outline *o, Vec2 a, Vec2 b)
     double s[4];
     int n = passes(a.y, b.y, s, passes(a.x, b.x, s, 0));
     sort(s, n);
-    add_clamped(o, a);
-    for (int i = 0; i < n; i++) add_clamped(o, vec2_add(vec2_scale(a, 1 - s[i]), vec2_scale(b, s[i])));
-    add_clamped(o, b);
+    add_clamped(o, wide_point(a));
+    for (int i = 0; i < n; i++) add_clamped(o, wide_point(vec2_add(vec2_scale(a, 1 - s[i]), vec2_scale(b, s[i]))));
+    add_clamped(o, wide_point(b));
 }
 
 /* ---- arcs ---- */
@@ -102,8 +118,8 @@ static void add_part(Outline *o, const TrimSegment *s, double t0, double t1, Wid
 {
     Vec2 p = wide_point_round(a), q = wide_point_round(b);
     if (are_along(p.x, q.x) || are_along(p.y, q.y)) {
-        add_clamped(o, p);
-        add_clamped(o, q);
+        add_clamped(o, a);
+        add_clamped(o, b);
     } else {
         add_arc(o, s, t0, t1, a, b);
     }
@@ -174,7 +190,7 @@ static Outline outline_of(Arena *a, const TrimSteps *steps)
         const TrimStep *s = &steps->step[i];
         WidePoint end = steps->step[i + 1 < steps->n ? i + 1 : 0].p;
         if (s->control) add_curve(&o, s, end);
-        else add_straight(&o, wide_point_round(s->p), wide_point_round(end));
+        else if (!are_equal(s->p, end)) add_straight(&o, wide_point_round(s->p), wide_point_round(end));
     }
     while (o.n > 1 && !o.sides[o.n - 1].arc.segment && are_equal(o.sides[0].p, o.sides[o.n - 1].p)) o.n--;
     return o;

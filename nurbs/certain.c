@@ -22,9 +22,9 @@ typedef struct {
     double variation;                /* that patches may have */
     Arena *own, *lists;
     Patch *patches;
-    bool *needs_trim_test;
+    const TrimCell **cells;
     BvhNode *nodes;
-    size_t n_patches, n_flags, n_nodes, patches_capacity, flags_capacity, nodes_capacity;
+    size_t n_patches, n_cells, n_nodes, patches_capacity, cells_capacity, nodes_capacity;
     uint32_t n_cut, n_untested;
     const int *spans_u, *spans_v;    /* indices of the non-empty spans */
 } Preparation;
@@ -46,15 +46,22 @@ static bool join_pair(Preparation *k, uint32_t at, uint32_t pair, bool has_first
     return has_first || has_second;
 }
 
-static void keep_patch(Preparation *k, uint32_t at, const Vec4 *points, TrimRect r, bool is_mixed)
+/* false: on a closer look it is wholly trimmed away. */
+static bool keep_patch(Preparation *k, uint32_t at, const Vec4 *points, TrimRect r)
 {
     const Surface *s = k->s;
+    const TrimCell *cell = NULL;
     Patch p;
+    if (s->trims && trim_cell_new(k->own, k->lists, s->trims, r, &cell) == TRIM_CUT) {
+        k->n_cut++;
+        return false;
+    }
     patch_make(k->own, s->k_u, s->k_v, points, k->rounding, r, &p);
-    k->n_untested += s->trims && !is_mixed;
+    k->n_untested += s->trims && !cell;
     k->nodes[at] = (BvhNode){ box_expand(bezier_hull(s->k_u * s->k_v, points), 2 * k->rounding), (uint32_t)k->n_patches, 1 };
     ARENA_PUSH(k->lists, k->patches, k->n_patches, k->patches_capacity) = p;
-    ARENA_PUSH(k->lists, k->needs_trim_test, k->n_flags, k->flags_capacity) = is_mixed;
+    ARENA_PUSH(k->lists, k->cells, k->n_cells, k->cells_capacity) = cell;
+    return true;
 }
 
 typedef struct { int u, v; } Halvings;
@@ -69,10 +76,7 @@ static bool grow_patch(Preparation *k, uint32_t at, Vec4 *points, TrimRect r, Ha
     if (class == TRIM_CUT) return false;
     PatchBend bend = patch_bend(s->k_u, s->k_v, points);
     bool along_u = bend.along_u >= bend.along_v ? left.u > 0 : left.v == 0;
-    if (!(bend.variation > k->variation) || (left.u == 0 && left.v == 0)) {
-        keep_patch(k, at, points, r, class == TRIM_MIXED);
-        return true;
-    }
+    if (!(bend.variation > k->variation) || (left.u == 0 && left.v == 0)) return keep_patch(k, at, points, r);
     Vec4 first[NURBS_MAX_ORDER * NURBS_MAX_ORDER];
     TrimRect a = r, b = r;
     if (along_u) {
@@ -159,7 +163,7 @@ void certain_prepare(Arena *a, const Surface *surface, double variation, PatchTr
     bool has_any = grow_spans(&k, root, all);
     *out = (PatchTree){ .base = base,
                         .patches = arena_copy(a, k.patches, k.n_patches, sizeof *k.patches),
-                        .needs_trim_test = arena_copy(a, k.needs_trim_test, k.n_flags, sizeof *k.needs_trim_test),
+                        .cells = arena_copy(a, k.cells, k.n_cells, sizeof *k.cells),
                         .n_patches = (uint32_t)k.n_patches,
                         .bvh = bvh_from_tree(a, k.nodes, has_any ? (uint32_t)k.n_nodes : 0),
                         .n_cut = k.n_cut, .n_untested = k.n_untested };
@@ -204,9 +208,10 @@ static bool accept_root(void *context, const Patch *p, PatchRay *ray, const Root
     Counters *count = &k->trace->counters;
     count->nurbs_hits++;
     double u = lerp(p->u0, p->u1, root->s), v = lerp(p->v0, p->v1, root->t);
-    if (k->tree->needs_trim_test[k->patch]) {
+    const TrimCell *cell = k->tree->cells[k->patch];
+    if (cell) {
         count->trim_tests++;
-        if (!trim_keeps(k->s->trims, u, v) && !is_near_trim(k->s->trims, p, root, u, v)) return false;
+        if (!trim_cell_keeps(cell, u, v) && !is_near_trim(k->s->trims, p, root, u, v)) return false;
     }
     count->reported_hits++;
     k->found = true;

@@ -4,12 +4,13 @@
 
 #include "nurbs/certify.h"
 #include "nurbs/surface.h"
+#include "nurbs/trim_cell.h"
 #include "render/bvh.h"
 
 typedef struct {
     Vec3 base;                       /* what is below is relative to this point: a surface far from the origin loses nothing */
     const Patch *patches;
-    const bool *needs_trim_test;     /* false: wholly kept */
+    const TrimCell *const *cells;    /* what the trims say in each patch; NULL: it is wholly kept */
     uint32_t n_patches;
     const Bvh *bvh;                  /* item i is patches[i] */
     uint32_t n_cut, n_untested;      /* dropped because trimmed away; kept without a trim test on a trimmed surface */

@@ -24,12 +24,15 @@ static Vec3 on_circle(double radius, double y, double angle) { return vec(radius
 static double any_angle(TestRandom *r) { return test_range(r, 0, 2 * M_PI); }
 static double quarter(TestRandom *r) { return .5 * M_PI * test_int(r, 0, 3); }
 
-/* Meridians where patches meet, one of them the seam; the equator. */
+/* Meridians where patches meet, one of them the seam; the equator; the poles, which take their time. */
 static Seam seam_of_sphere(TestRandom *r)
 {
-    double angle = any_angle(r), inner = test_range(r, 0, .8);
-    Vec3 e = test_int(r, 0, 1) ? on_circle(cos(angle), sin(angle), quarter(r)) : on_circle(1, 0, angle);
-    return (Seam){ e, vec_scale(vec(test_range(r, -1, 1), test_range(r, -1, 1), test_range(r, -1, 1)), inner / sqrt(3)) };
+    double angle = any_angle(r), inner = test_range(r, 0, .8) / sqrt(3);
+    int which = test_int(r, 0, 9);
+    Vec3 edge = vec(0, angle < M_PI ? 1 : -1, 0);
+    if (which < 5) edge = on_circle(cos(angle), sin(angle), quarter(r));
+    else if (which < 9) edge = on_circle(1, 0, angle);
+    return (Seam){ edge, vec_scale(vec(test_range(r, -1, 1), test_range(r, -1, 1), test_range(r, -1, 1)), inner) };
 }
 
 static Seam seam_of_torus(TestRandom *r)
@@ -40,12 +43,19 @@ static Seam seam_of_torus(TestRandom *r)
                    on_circle(1 + test_range(r, -.1, .1), test_range(r, -.1, .1), round + test_range(r, -.05, .05)) };
 }
 
-/* Both rims of the bore. */
+/* Edges of the box, and both rims of the bore. */
 static Seam seam_of_plate(TestRandom *r)
 {
-    double angle = any_angle(r), c = cos(angle), s = sin(angle), deep = .25 + test_range(r, .05, .2);
-    return (Seam){ vec(.1 + .25 * c, test_int(r, 0, 1) ? PLATE.y : -PLATE.y, -.05 + .25 * s),
-                   vec(.1 + deep * c, 0, -.05 + deep * s) };
+    double side[3];
+    for (int i = 0; i < 3; i++) side[i] = test_int(r, 0, 1) ? 1 : -1;
+    if (test_int(r, 0, 1)) {
+        double angle = any_angle(r), c = cos(angle), s = sin(angle), deep = .25 + test_range(r, .05, .2);
+        return (Seam){ vec(.1 + .25 * c, side[1] * PLATE.y, -.05 + .25 * s), vec(.1 + deep * c, 0, -.05 + deep * s) };
+    }
+    int along = test_int(r, 0, 2);
+    side[along] = test_range(r, -1, 1);
+    Vec3 edge = vec_mul(vec(side[0], side[1], side[2]), PLATE);
+    return (Seam){ edge, vec_scale(edge, .96) };
 }
 
 /* Where the side goes over into the foot, and the foot into the bottom; the seam of the inside. */

@@ -135,7 +135,7 @@ static bool has_failures(const Report *r)
 
 static int write_all(const Report *r)
 {
-    if (report_write_csv(r) && report_write_json(r) && report_write_page(r)) {
+    if (report_write_csv(r) && report_write_json(r) && report_write_plots(r) && report_write_page(r)) {
         if (!r->options->is_quiet) fprintf(stderr, "%s/index.html, report.csv, report.json\n", r->folder);
         return EXIT_DONE;
     }

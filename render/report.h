@@ -119,7 +119,8 @@ void report_compare_hits(Arena *a, const ReportHit *truth, const ReportHit *foun
 const char *report_read(Report *r, const ReportScene *s);
 bool report_append(const Report *r, const ReportSample *s);
 /* Writes what `write` makes into a file of the report's folder; false: errno says why, as below. */
-bool report_write_file(const Report *r, const char *name, void (*write)(FILE *f, const Report *r));
+typedef void (*ReportWriter)(FILE *f, const Report *r, const void *context);
+bool report_write_file(const Report *r, const char *name, ReportWriter write, const void *context);
 bool report_write_csv(const Report *r);
 bool report_write_json(const Report *r);
 const char *report_sample_name(Arena *a, const ReportSample *s);   /* "mesh, chord error 0.001" */
@@ -128,8 +129,10 @@ const char *report_build(void);                          /* "trimray 0.1 (commit
 
 /* ---- report_page.c, report_plot.c, report_text.c ---- */
 bool report_write_page(const Report *r);
+bool report_write_plots(const Report *r);                /* each also as an SVG file of its own */
 typedef struct { ReportNumber x, y; const char *title, *x_title, *y_title; } ReportPlot;
-void report_plot(FILE *f, const Report *r, const ReportScene *s, const ReportPlot *p);
+/* is_file: with its style, to stand alone. */
+void report_plot(FILE *f, const Report *r, const ReportScene *s, const ReportPlot *p, bool is_file);
 void report_escape(FILE *f, const char *text);           /* for HTML */
 extern const char *const report_style[], *const report_script[];   /* lines, ended by NULL */
 

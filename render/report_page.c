@@ -131,7 +131,7 @@ static void put_plots(FILE *f, const Report *r, const ReportScene *s)
 {
     put_legend(f, r);
     fputs("<div class=\"plots\">\n", f);
-    for (size_t i = 0; i < sizeof plots / sizeof *plots; i++) report_plot(f, r, s, &plots[i]);
+    for (size_t i = 0; i < sizeof plots / sizeof *plots; i++) report_plot(f, r, s, &plots[i], false);
     fputs("</div>\n", f);
 }
 
@@ -256,8 +256,8 @@ static void put_columns(FILE *f)
 static const char METHOD[] =
     "<section>\n<h2>How the numbers were made</h2>\n"
     "<p>Each setting is traced in a process of its own, from the scene's file to the picture's, several times; times are"
-    " medians. Errors are counted on one camera ray through the middle of each pixel, against <code>certain</code> with leaves far"
-    " smaller than its default, which loses no hit; the picture's on the same rays with all of their light."
+    " medians. Errors are counted on one camera ray through the middle of each pixel, against <code>certain</code> with leaves"
+    " far smaller than its default, which loses no hit; the picture's on the same rays with all of their light."
     " <code>paper</code> is the method of [MCFS00]: its flatness C with ten Newton steps, and its iteration limit with the"
     " flatness that trimray chooses. <code>mesh</code> cuts each surface into triangles within the chord error and traces"
     " these, in the same program; <code>povray</code> is POV-Ray on the exported scene with the same triangles.</p>\n";
@@ -307,8 +307,9 @@ static const char HEAD[] =
     "  content=\"default-src 'none'; img-src data:; style-src 'unsafe-inline'; script-src 'unsafe-inline'\">\n"
     "<title>Error against run time</title>\n<link rel=\"icon\" href=\"data:,\">\n<style>\n";
 
-static void put_page(FILE *f, const Report *r)
+static void put_page(FILE *f, const Report *r, const void *context)
 {
+    (void)context;
     fputs(HEAD, f);
     put_lines(f, report_style);
     fputs("</style>\n</head>\n<body>\n<h1>Error against run time</h1>\n"
@@ -323,4 +324,26 @@ static void put_page(FILE *f, const Report *r)
     fputs("</script>\n</body>\n</html>\n", f);
 }
 
-bool report_write_page(const Report *r) { return report_write_file(r, "index.html", put_page); }
+bool report_write_page(const Report *r) { return report_write_file(r, "index.html", put_page, NULL); }
+
+/* ---- plots as files ---- */
+
+typedef struct { const ReportScene *scene; const ReportPlot *plot; } PlotFile;
+
+static void put_plot_file(FILE *f, const Report *r, const void *context)
+{
+    const PlotFile *p = context;
+    report_plot(f, r, p->scene, p->plot, true);
+}
+
+bool report_write_plots(const Report *r)
+{
+    for (size_t i = 0; i < r->n_scenes; i++)
+        for (size_t k = 0; !r->scenes[i].failure && k < sizeof plots / sizeof *plots; k++) {
+            PlotFile p = { &r->scenes[i], &plots[k] };
+            const char *x = report_columns[p.plot->x].name, *y = report_columns[p.plot->y].name;
+            const char *name = arena_printf(r->arena, "%s-%s-%s.svg", p.scene->name, y, x);
+            if (!report_write_file(r, name, put_plot_file, &p)) return false;
+        }
+    return true;
+}

@@ -4,7 +4,7 @@
 
 #include <stdlib.h>
 
-enum { WIDTH = 560, HEIGHT = 380, LEFT = 66, RIGHT = 14, TOP = 34, BOTTOM = 48, ZERO_BAND = 22 };
+enum { WIDTH = 560, HEIGHT = 380, LEFT = 66, RIGHT = 14, TOP = 34, BOTTOM = 48, ZERO_BAND = 22, NAMES = 24 };
 
 /* Logarithms from lo to hi lie at the pixels from `from` to `to`; zeros, which have none, at `zero`. */
 typedef struct { double lo, hi, from, to, zero; bool has_zero; } Axis;
@@ -160,17 +160,41 @@ static void put_series(const Plot *p, int series, const ReportPlot *what)
         if ((int)p->points[i].sample->series == series) put_point(p, &p->points[i], what);
 }
 
-void report_plot(FILE *f, const Report *r, const ReportScene *s, const ReportPlot *what)
+static void put_style(FILE *f)
+{
+    fputs("<style>\n", f);
+    for (const char *const *line = report_style; *line; line++) fprintf(f, "%s\n", *line);
+    fputs("</style>\n", f);
+}
+
+/* On the page the legend stands above all plots. */
+static void put_names(const Plot *p)
+{
+    int x = LEFT / 4;
+    for (int k = 0; k < REPORT_N_SERIES; k++) {
+        bool is_there = false;
+        for (size_t i = 0; i < p->n; i++) is_there |= (int)p->points[i].sample->series == k;
+        if (!is_there) continue;
+        fprintf(p->file, "<circle class=\"dot s%d\" cx=\"%d\" cy=\"%d\" r=\"4\"/><text x=\"%d\" y=\"%d\">%s</text>\n", k, x,
+                HEIGHT + 6, x + 9, HEIGHT + 10, report_methods[k].title);
+        x += WIDTH / REPORT_N_SERIES;
+    }
+}
+
+void report_plot(FILE *f, const Report *r, const ReportScene *s, const ReportPlot *what, bool is_file)
 {
     Plot p = { .file = f, .arena = r->arena };
     take_points(&p, r, s, what);
     place_axes(&p);
-    fprintf(f, "<svg class=\"plot\" data-x=\"%s\" data-y=\"%s\" viewBox=\"0 0 %d %d\" role=\"img\" aria-label=\"%s\">\n",
-            report_columns[what->x].name, report_columns[what->y].name, WIDTH, HEIGHT, what->title);
+    const char *space = is_file ? " xmlns=\"http://www.w3.org/2000/svg\"" : "";
+    fprintf(f, "<svg%s class=\"plot\" data-x=\"%s\" data-y=\"%s\" viewBox=\"0 0 %d %d\" role=\"img\""
+            " aria-label=\"%s\">\n", space, report_columns[what->x].name, report_columns[what->y].name, WIDTH, HEIGHT + (is_file ? NAMES : 0), what->title);
+    if (is_file) put_style(f);
     put_ticks(&p, true);
     put_ticks(&p, false);
     put_titles(&p, what);
     put_front(&p);
     for (int k = 0; k < REPORT_N_SERIES; k++) put_series(&p, k, what);
+    if (is_file) put_names(&p);
     fputs("</svg>\n", f);
 }

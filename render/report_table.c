@@ -120,13 +120,13 @@ static void write_row(FILE *f, const ReportSample *s)
     fputc('\n', f);
 }
 
-bool report_write_file(const Report *r, const char *name, void (*write)(FILE *f, const Report *r))
+bool report_write_file(const Report *r, const char *name, ReportWriter write, const void *context)
 {
     char *text = NULL;
     size_t n = 0;
     FILE *f = open_memstream(&text, &n);
     if (!f) return false;
-    write(f, r);
+    write(f, r, context);
     bool is_good = fclose(f) == 0 && file_write(arena_printf(r->arena, "%s/%s", r->folder, name), r->arena, text, n);
     int reason = errno;
     free(text);
@@ -134,8 +134,9 @@ bool report_write_file(const Report *r, const char *name, void (*write)(FILE *f,
     return is_good;
 }
 
-static void write_csv(FILE *f, const Report *r)
+static void write_csv(FILE *f, const Report *r, const void *context)
 {
+    (void)context;
     fputs("scene,method,knob", f);
     for (int i = 0; i < REPORT_N_NUMBERS; i++) fprintf(f, ",%s", report_columns[i].name);
     fputs(",failure\n", f);
@@ -143,7 +144,7 @@ static void write_csv(FILE *f, const Report *r)
         if (r->samples[i].is_done) write_row(f, &r->samples[i]);
 }
 
-bool report_write_csv(const Report *r) { return report_write_file(r, "report.csv", write_csv); }
+bool report_write_csv(const Report *r) { return report_write_file(r, "report.csv", write_csv, NULL); }
 
 /* ---- JSON ---- */
 
@@ -190,8 +191,9 @@ static cJSON *scenes_json(const Report *r)
     return list;
 }
 
-static void write_json(FILE *f, const Report *r)
+static void write_json(FILE *f, const Report *r, const void *context)
 {
+    (void)context;
     cJSON *root = cJSON_CreateObject();
     cJSON_AddStringToObject(root, "command", report_command(r));
     cJSON_AddStringToObject(root, "machine", report_machine(r->arena));
@@ -213,7 +215,7 @@ static void write_json(FILE *f, const Report *r)
     cJSON_Delete(root);
 }
 
-bool report_write_json(const Report *r) { return report_write_file(r, "report.json", write_json); }
+bool report_write_json(const Report *r) { return report_write_file(r, "report.json", write_json, NULL); }
 
 /* ---- continuing ---- */
 

@@ -31,7 +31,7 @@ begun=$(date +%s)
 run report "$scenes/teapot.pov" "$scenes/goblet.pov" --quick --runs 1 +W128 -o r
 seconds=$(($(date +%s) - begun))
 ends_with 0
-for file in r/report.csv r/report.json r/index.html; do exists $file; done
+for file in r/report.csv r/report.json r/index.html r/goblet-depth_p99-total_seconds.svg; do exists $file; done
 [ $seconds -le 60 ] || fail "it took $seconds seconds"
 command -v povray >/dev/null || says "povray is not installed"
 [ -z "$(find r -name '*.part*' -o -name '*.hits' -o -name '*.log')" ] || fail "it leaves files lying about: $(ls r)"

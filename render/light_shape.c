@@ -2,8 +2,6 @@
  * in what is added to it. */
 #include "render/light.h"
 
-#include "render/object.h"
-
 typedef struct {
     Shape shape;
     Light light;
@@ -23,7 +21,7 @@ static bool light_tessellate(const Shape *s, double chord_error, MeshSink *out)
     return true;
 }
 
-static unsigned light_looks(const Shape *s) { (void)s; return LOOKS_LIGHT; }
+static unsigned light_looks(const Shape *s) { (void)s; return 0; }
 
 static const ShapeType light_type = {
     .name = "light_source", .bounds = light_bounds, .hit = light_hit, .tessellate = light_tessellate, .looks = light_looks,

@@ -18,6 +18,7 @@ struct Object {
     const Interior *interior;      /* NULL: none given here */
     bool has_uv_mapping, no_shadow, no_image, no_reflection, is_inverse, is_hollow, double_illuminate;
     unsigned looks;                /* object_looks keeps its answer here */
+    bool has_no_lights;            /* scene_add_object keeps here what it did not find below */
 };
 
 /* A plain object round a shape, with identity transformations. Fill in the rest before the first ray. If the tree below
@@ -49,8 +50,7 @@ enum {
     LOOKS_UNTEXTURED = 2,          /* something without a texture: it will have the default */
     LOOKS_CLEAR = 4,               /* a texture that lets light through */
     LOOKS_REFLECTING = 8,
-    LOOKS_NO_SHADOW = 16,
-    LOOKS_LIGHT = 32               /* a light */
+    LOOKS_NO_SHADOW = 16
 };
 unsigned object_looks(Object *o);
 

@@ -43,24 +43,23 @@ Scene *scene_new(Arena *a)
 
 void scene_add_light(Scene *s, const Light *l) { ARENA_PUSH(s->arena, s->lights, s->n_lights, s->lights_capacity) = *l; }
 
-/* The lights among the parts of a shape; objects without any are not entered, however often they are shared. */
+/* The lights among the parts of a shape. Objects without any are entered once, however often they are shared. */
 static void add_lights(Scene *s, Shape *shape, const Xform *outer)
 {
     const Light *light = shape_light(shape);
+    Object *o = shape_is_object(shape) ? (Object *)shape : NULL;
     Shape *const *parts;
-    Xform x = *outer;
+    size_t n_before = s->n_lights;
     if (light) {
         Light moved = *light;
         light_transform(&moved, outer);
         scene_add_light(s, &moved);
     }
-    if (shape_is_object(shape)) {
-        if (!(object_looks((Object *)shape) & LOOKS_LIGHT)) return;
-        x = xform_then(((const Object *)shape)->placement, x);
-    }
-    if (!shape->type->parts) return;
+    if (!shape->type->parts || (o && o->has_no_lights)) return;
+    Xform x = o ? xform_then(o->placement, *outer) : *outer;
     uint32_t n = shape->type->parts(shape, &parts);
     for (uint32_t i = 0; i < n; i++) add_lights(s, parts[i], &x);
+    if (o) o->has_no_lights = s->n_lights == n_before;
 }
 
 void scene_add_object(Scene *s, Object *o)

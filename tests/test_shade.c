@@ -55,6 +55,24 @@ static void a_mirror_mirrors_as_povrays_does(void **state)
     }
 }
 
+/* Panes that do not bend light are no levels, however many; but where the levels end at the first pane, nothing is seen
+ * beyond it (measured with POV-Ray 3.7). */
+static void straight_rays_are_no_levels_but_do_not_begin_at_the_last(void **state)
+{
+    (void)state;
+    for (int level = 1; level <= 2; level++) {
+        Arena *a = arena_new();
+        Scene *s = new_scene(a);
+        s->max_trace_level = level;
+        for (int i = 0; i < 9; i++)
+            add_shape(s, disc_new(a, vec(0, 0, i), vec(0, 0, 1), 2, 0), (Color){ 1, 1, 1, 0, 1 }, glowing(0));
+        add_shape(s, plane_new(a, vec(0, 0, 1), 9), white, glowing(.5));
+        Pixel p = pixel_of(s, 9, NULL);
+        CHECK_WITHIN(fabs(p.g - (level == 2 ? .5 : 0)), 1e-12, "%d levels: %g", level, p.g);
+        arena_free(a);
+    }
+}
+
 /* Two mirrors face each other, each with a glow of .1: what is seen is .1 (1 + .5 + .5^2 + ...), as far as rays go. */
 static void rays_end_at_max_trace_level_and_at_adc_bailout(void **state)
 {
@@ -274,6 +292,7 @@ int main(void)
         cmocka_unit_test(a_finish_answers_light_as_povrays_does),
         cmocka_unit_test(a_mirror_mirrors_as_povrays_does),
         cmocka_unit_test(rays_end_at_max_trace_level_and_at_adc_bailout),
+        cmocka_unit_test(straight_rays_are_no_levels_but_do_not_begin_at_the_last),
         cmocka_unit_test(layers_are_seen_from_the_top_down),
         cmocka_unit_test(every_layer_reflects_in_full),
         cmocka_unit_test(an_interior_texture_is_seen_from_inside),

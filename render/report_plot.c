@@ -186,9 +186,11 @@ void report_plot(FILE *f, const Report *r, const ReportScene *s, const ReportPlo
     Plot p = { .file = f, .arena = r->arena };
     take_points(&p, r, s, what);
     place_axes(&p);
+    int height = HEIGHT + (is_file ? NAMES : 0);
     const char *space = is_file ? " xmlns=\"http://www.w3.org/2000/svg\"" : "";
     fprintf(f, "<svg%s class=\"plot\" data-x=\"%s\" data-y=\"%s\" viewBox=\"0 0 %d %d\" role=\"img\""
-            " aria-label=\"%s\">\n", space, report_columns[what->x].name, report_columns[what->y].name, WIDTH, HEIGHT + (is_file ? NAMES : 0), what->title);
+            " aria-label=\"%s\">\n", space, report_columns[what->x].name, report_columns[what->y].name, WIDTH, height,
+            what->title);
     if (is_file) put_style(f);
     put_ticks(&p, true);
     put_ticks(&p, false);

@@ -20,15 +20,20 @@ static void truth_of_oracle(const Model *m, const Ray *r, Truth *out)
 
 static void release_oracle(Model *m) { oracle_free((Oracle *)m->own); }
 
-static Model certified(Arena *a, const char *name, Net net, TestRandom *r)
+static Model certified_at(Arena *a, const char *name, Net net, const QuadMap *place)
 {
     Model m = model_new(a, (Form){ .name = name }, net);
-    QuadMap place = model_rotation(r, 1);
-    place.o = quad3_scale(random_direction(r), test_unit(r));
-    model_finish(&m, &place, NULL, 0);
+    model_finish(&m, place, NULL, 0);
     m.own = oracle_new(&m.desc);
     m.truth = truth_of_oracle, m.release = release_oracle;
     return m;
+}
+
+static Model certified(Arena *a, const char *name, Net net, TestRandom *r)
+{
+    QuadMap place = model_rotation(r, 1);
+    place.o = quad3_scale(random_direction(r), test_unit(r));
+    return certified_at(a, name, net, &place);
 }
 
 static Quad4 weighted(double x, double y, double z, double w) { return (Quad4){ (Quad)x * w, (Quad)y * w, (Quad)z * w, w }; }
@@ -113,6 +118,24 @@ static Model build_collapsed(Arena *a, double gap, TestRandom *r)
     return certified(a, "collapsed", n, r);
 }
 
+/* Squeezed along its width, or its height. */
+static Model build_squeezed(Arena *a, double aspect, TestRandom *r)
+{
+    Net n = sheet(a, test_int(r, 2, 4), test_int(r, 2, 4), 1, 1, r);
+    QuadMap place = model_rotation(r, 1);
+    if (test_int(r, 0, 1)) place.x = quad3_scale(place.x, 1 / (Quad)aspect);
+    else place.z = quad3_scale(place.z, 1 / (Quad)aspect);
+    return certified_at(a, "squeezed", n, &place);
+}
+
+/* Far from the origin, in its sizes. */
+static Model build_far_off(Arena *a, double distance, TestRandom *r)
+{
+    QuadMap place = model_rotation(r, 1);
+    place.o = quad3_scale(random_direction(r), distance);
+    return certified_at(a, "far off", sheet(a, test_int(r, 2, 4), test_int(r, 2, 4), 1, 1, r), &place);
+}
+
 static Model build_sheet(Arena *a, double by, TestRandom *r)
 {
     (void)by;
@@ -136,6 +159,8 @@ static Ray ray_grazing(const Model *m, double by, TestRandom *r)
 const Family stress_certified[] = {
     { "weighted", "ratio of the weights", 5, { 1, 1e3, 1e6, 1e9, 1e12 }, build_weighted, ray_anywhere, .1 },
     { "tangled", "order", 5, { 2, 3, 4, 6, 8 }, build_tangled, ray_anywhere, .05 },
+    { "squeezed", "aspect", 5, { 1, 1e2, 1e4, 1e6, 1e8 }, build_squeezed, ray_anywhere, .05 },
+    { "far off", "distance from the origin", 4, { 1e2, 1e4, 1e6, 1e8 }, build_far_off, ray_anywhere, .05 },
     { "crease", "gap", 5, { 1e-1, 1e-3, 1e-6, 1e-8, 0 }, build_crease, ray_anywhere, .1 },
     { "collapsed", "gap", 5, { 1e-1, 1e-4, 1e-8, 1e-12, 0 }, build_collapsed, ray_anywhere, .05 },
     { "tangent", "distance", 9, { 1e-1, 1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14, 0 }, build_sheet, ray_grazing, .05 },

@@ -315,13 +315,16 @@ static bool is_on_border(const Patch *p, const CertainHit *h)
     return is_near_end(h->u, p->u0, p->u1) || is_near_end(h->v, p->v0, p->v1);
 }
 
-/* One root that two neighbours found on their common border (or one patch, on a collapsed side or its own seam), or that a
- * tangency left in several boxes. */
-static bool is_same_root(const PatchTree *tree, const CertainHit *a, const CertainHit *b)
+/* One root that two neighbours found on their common border (or one patch, on a collapsed side or its own seam), that a
+ * tangency left in several boxes, or that patches which meet at a pole found beside it: at one depth a surface is not entered
+ * twice. */
+static bool is_same_root(const PatchTree *tree, const Ray *r, const CertainHit *a, const CertainHit *b)
 {
     if (!(b->t - a->t <= a->depth_error + b->depth_error)) return false;
     const Patch *p = &tree->patches[a->patch], *q = &tree->patches[b->patch];
     if (is_on_border(p, a) && is_on_border(q, b)) return true;
+    Vec3 n_a = certain_normal(tree, a->patch, a->u, a->v), n_b = certain_normal(tree, b->patch, b->u, b->v);
+    if (vec_dot(n_a, r->dir) * vec_dot(n_b, r->dir) > 0) return true;
     return p == q && fabs(a->u - b->u) <= SAME_PLACE * (p->u1 - p->u0) && fabs(a->v - b->v) <= SAME_PLACE * (p->v1 - p->v0);
 }
 
@@ -336,7 +339,7 @@ void certain_all(const Surface *s, const PatchTree *tree, const Ray *r, double t
     qsort(out->hits, out->n, sizeof *out->hits, compare_hits);
     size_t n = 1;
     for (size_t i = 1; i < out->n; i++)
-        if (!is_same_root(tree, &out->hits[n - 1], &out->hits[i])) out->hits[n++] = out->hits[i];
+        if (!is_same_root(tree, r, &out->hits[n - 1], &out->hits[i])) out->hits[n++] = out->hits[i];
     out->n = n;
 }
 

@@ -24,6 +24,9 @@ enum { MAX_STEPS = 8 };
 /* A step shorter than this is the last: the next error is about its square. */
 #define LAST_STEP 0x1p-26
 
+/* A hull that stays this many roundings away from zero has no zero: as in clip.c. */
+#define HULL_SLACK 1.5
+
 PatchRay patch_ray(Vec3 origin, Vec3 dir, double t_min, double t_max)
 {
     PatchRay r = { .origin = origin, .d = dir, .t_min = t_min, .t_max = t_max };
@@ -154,6 +157,44 @@ ALWAYS_INLINE FrameResult frame_test(Solve *k)
     return FRAME_ONE_AT_MOST;
 }
 
+/* ---- where the frame is in doubt: the hull of the control points as the ray sees them ---- */
+
+#define HULL_POINTS 64         /* patches of more points go to clip.c at once */
+
+typedef struct { double lo, hi; } Extent;
+
+ALWAYS_INLINE Extent extent_of(const double *x, int n)
+{
+    Extent e = { x[0], x[0] };
+    for (int i = 1; i < n; i++) e.lo = double_min(x[i], e.lo), e.hi = double_max(x[i], e.hi);
+    return e;
+}
+
+ALWAYS_INLINE bool excludes(Extent e, double error) { return e.lo > error || e.hi < -error; }
+
+/* Is the patch certainly off the ray, by its hull on either plane, or along either of the two directions that its mean
+ * derivatives have there? A patch seen on edge is a needle: the second pair sees it from its side. */
+ALWAYS_INLINE bool hull_is_off(const Solve *k)
+{
+    const Patch *p = k->p;
+    int k_u = p->k_u, k_v = p->k_v, n = k_u * k_v;
+    double a[HULL_POINTS], b[HULL_POINTS], g[HULL_POINTS], error = HULL_SLACK * k->rounding * p->w_max;
+    a[0] = b[0] = g[0] = 0;    /* compilers do not know that there is a point */
+    for (int i = 0; i < n; i++) {
+        Vec3 x = vec(p->p[i].x, p->p[i].y, p->p[i].z);
+        a[i] = vec_dot(k->r->n1, x) - p->p[i].w * k->q1;
+        b[i] = vec_dot(k->r->n2, x) - p->p[i].w * k->q2;
+    }
+    if (excludes(extent_of(a, n), error) || excludes(extent_of(b, n), error)) return true;
+    double a_s = 0, b_s = 0, a_t = 0, b_t = 0;
+    for (int j = 0; j < k_v; j++) a_s += a[j * k_u + k_u - 1] - a[j * k_u], b_s += b[j * k_u + k_u - 1] - b[j * k_u];
+    for (int i = 0; i < k_u; i++) a_t += a[n - k_u + i] - a[i], b_t += b[n - k_u + i] - b[i];
+    for (int i = 0; i < n; i++) g[i] = b_t * a[i] - a_t * b[i];
+    if (excludes(extent_of(g, n), error * length2(a_t, b_t))) return true;
+    for (int i = 0; i < n; i++) g[i] = b_s * a[i] - a_s * b[i];
+    return excludes(extent_of(g, n), error * length2(a_s, b_s));
+}
+
 EVERY_X86
 bool patch_roots(const Patch *p, PatchRay *r, RootVisit visit, void *context, Trace *trace)
 {
@@ -164,7 +205,9 @@ bool patch_roots(const Patch *p, PatchRay *r, RootVisit visit, void *context, Tr
     if (depth - reach > r->t_max || depth + reach < r->t_min) return false;
     switch (frame_test(&k)) {
     case FRAME_MISS: return false;
-    case FRAME_UNDECIDED: return clip_roots(p, r, visit, context, trace);
+    case FRAME_UNDECIDED:
+        if (p->k_u * p->k_v <= HULL_POINTS && hull_is_off(&k)) return false;
+        return clip_roots(p, r, visit, context, trace);
     case FRAME_ONE_AT_MOST: trace->counters.certificates++; break;
     }
     if (r->guess == p) k.s = r->guess_s, k.t = r->guess_t;

@@ -191,8 +191,11 @@ bool bvh_wide_traverse(const WideBvh *b, const Ray *r, double *t_max, BvhVisit v
     bool ended = false;
     Waiting stack[STACK_SIZE];
     int top = 0;
-    if (prepare(b, r, *t_max, t, &w)) stack[top++] = (Waiting){ 0, -INFINITY };
-    float limit = float_up((*t_max - w.start) * w.scale), t_min = float_down((r->t_min - w.start) * w.scale);
+    float limit = 0, t_min = 0;
+    if (prepare(b, r, *t_max, t, &w)) {
+        stack[top++] = (Waiting){ 0, -INFINITY };
+        limit = float_up((*t_max - w.start) * w.scale), t_min = float_down((r->t_min - w.start) * w.scale);
+    }
     while (top > 0 && !ended) {
         Waiting next = stack[--top];
         if (next.t > limit) continue;            /* a hit has come nearer since */

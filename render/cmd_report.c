@@ -4,6 +4,7 @@
 #include "render/report.h"
 
 #include <errno.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -178,6 +179,7 @@ int cmd_report(const Options *o)
     size_t n = strlen(folder);
     while (n > 1 && folder[n - 1] == '/') folder[--n] = '\0';
     r.folder = folder;
+    if (getloadavg(&r.load, 1) != 1) r.load = NAN;
     r.width = o->width ? o->width : o->is_quick ? 256 : 512;
     r.height = o->height ? o->height : r.width * 3 / 4;
     r.n_runs = o->n_runs ? o->n_runs : o->is_quick ? 3 : 5;

@@ -70,6 +70,7 @@ typedef struct {
     const char *folder;
     int width, height, n_runs, n_threads;
     const char *povray;              /* the program; NULL: not installed */
+    double load;                     /* of the machine, before: processes that wanted a core in the last minute */
     ReportScene *scenes;
     size_t n_scenes;
     ReportSample *samples;           /* by scene, by series, coarse to fine */

@@ -276,6 +276,7 @@ static void put_method(FILE *f, const Report *r)
     put_entry(f, "program", report_build());
     put_entry(f, "picture", arena_printf(r->arena, "%d x %d", r->width, r->height));
     put_entry(f, "threads, runs", arena_printf(r->arena, "%d, %d", r->n_threads, r->n_runs));
+    put_entry(f, "load before", arena_printf(r->arena, "%.2f: what else the machine had to do is in the times", r->load));
     put_entry(f, "to repeat it", report_command(r));
     fputs("</dl>\n", f);
     put_columns(f);

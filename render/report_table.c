@@ -201,6 +201,7 @@ static void write_json(FILE *f, const Report *r, const void *context)
     cJSON_AddNumberToObject(root, "width", r->width);
     cJSON_AddNumberToObject(root, "height", r->height);
     cJSON_AddNumberToObject(root, "threads", r->n_threads);
+    cJSON_AddNumberToObject(root, "load_before", r->load);
     cJSON_AddBoolToObject(root, "interrupted", r->was_interrupted);
     cJSON *notes = cJSON_AddArrayToObject(root, "left_out");
     for (size_t i = 0; i < r->n_notes; i++) cJSON_AddItemToArray(notes, cJSON_CreateString(r->notes[i]));

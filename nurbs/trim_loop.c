@@ -13,6 +13,7 @@ typedef struct {
     size_t n, capacity;
     double outside;                /* the farthest */
     Vec2 outside_at;
+    double moved;                  /* the farthest that something within the domain was put on its border from */
     bool has_arcs, has_low;
 } Outline;
 
@@ -69,8 +70,15 @@ static bool note_outside(Outline *o, Vec2 p)
     return d <= TRIM_OUTSIDE;
 }
 
-static Wide to_border(Wide x) { return x.hi <= TRIM_SILENT ? wide(0) : x.hi >= 1 - TRIM_SILENT ? wide(1) : x; }
-static void add_clamped(Outline *o, WidePoint p) { add_vertex(o, (WidePoint){ to_border(p.x), to_border(p.y) }); }
+static Wide to_border(Outline *o, Wide x)
+{
+    if (x.hi > TRIM_SILENT && x.hi < 1 - TRIM_SILENT) return x;
+    double border = x.hi > .5;
+    if (x.hi > 0 && x.hi < 1) o->moved = fmax(o->moved, fabs(x.hi - border));
+    return wide(border);
+}
+
+static void add_clamped(Outline *o, WidePoint p) { add_vertex(o, (WidePoint){ to_border(o, p.x), to_border(o, p.y) }); }
 
 /* ---- straight pieces ---- */
 
@@ -185,7 +193,7 @@ static void add_curve(Outline *o, const TrimStep *step, WidePoint end)
 
 static Outline outline_of(Arena *a, const TrimSteps *steps)
 {
-    Outline o = { .arena = a };
+    Outline o = { .arena = a, .moved = steps->moved };
     for (size_t i = 0; i < steps->n; i++) {
         const TrimStep *s = &steps->step[i];
         WidePoint end = steps->step[i + 1 < steps->n ? i + 1 : 0].p;
@@ -220,7 +228,7 @@ static TrimPath path_of(const Outline *o)
     return (TrimPath){ (int)n, p, low, arc };
 }
 
-static void measure(TrimLoop *l)
+static void measure(TrimLoop *l, double moved)
 {
     const TrimPath *path = &l->path;
     double length = 0;
@@ -229,7 +237,7 @@ static void measure(TrimLoop *l)
         length += vec2_length(vec2_sub(path->p[i + 1], path->p[i]));
         if (!trim_is_straight(path, i)) l->area += trim_arc_area(&path->arc[i]);
     }
-    l->is_thin = 2 * fabs(l->area) <= TRIM_THIN * length;
+    l->is_thin = 2 * fabs(l->area) <= fmax(TRIM_THIN, moved) * length;
 }
 
 static bool refuse_outside(const TrimInput *in, const Outline *o, NurbsError *error)
@@ -250,7 +258,7 @@ bool trim_loop_read(Arena *a, const TrimInput *in, int index, TrimLoop *out, Nur
     if (o.outside > TRIM_SILENT) out->clamped = (TrimFault){ o.outside, o.outside_at };
     if (o.n < 2) return true;
     out->path = path_of(&o);
-    measure(out);
+    measure(out, o.moved);
     return true;
 }
 

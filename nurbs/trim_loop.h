@@ -11,8 +11,10 @@
 #include "nurbs/trim_chain.h"
 #include "nurbs/trim_strand.h"
 
-/* A loop thinner than this (twice its area over its length) has no sure direction: closing joints may have turned it over. */
-#define TRIM_THIN (TRIM_SILENT / 5)
+/* A loop thinner than this (twice its area over its length) has no sure direction: its vertices may have been moved by the
+ * rounding of the input and of the way to the unit square, some 2^-52, and sums of them are rounded too. Nor has one thinner
+ * than what mending moved. */
+#define TRIM_THIN 0x1p-43
 
 typedef struct {
     int index;                     /* in TrimInput */

@@ -101,9 +101,10 @@ static double length_in_space(const TrimInput *in, Vec2 a, Vec2 b)
 static double on_border(double x) { return fabs(x) <= TRIM_SILENT ? 0 : fabs(x - 1) <= TRIM_SILENT ? 1 : x; }
 
 /* Moves the end of a strand, and the curve that ends or begins there. */
-static void move_end(TrimStep *at, TrimStep *curve, bool is_last, Vec2 p)
+static void move_end(TrimSteps *s, TrimStep *at, TrimStep *curve, bool is_last, Vec2 p)
 {
     p = vec2(on_border(p.x), on_border(p.y));
+    s->moved = fmax(s->moved, fmax(fabs(at->p.x.hi - p.x), fabs(at->p.y.hi - p.y)));
     at->p = wide_point(p);
     if (!curve->control) return;
     WideControl *c = &curve->control[is_last ? curve->k - 1 : 0];
@@ -128,8 +129,8 @@ static bool close_joint(Reader *r, size_t i)
     double gap = fmax(fabs(to.x - from.x), fabs(to.y - from.y));
     if (gap <= TRIM_SILENT) from = to = vec2((from.x + to.x) / 2, (from.y + to.y) / 2);
     else if (gap > r->bridged->value) *r->bridged = (TrimFault){ gap, to };
-    move_end(&steps[last], &steps[last - 1], true, from);
-    move_end(&steps[first], &steps[first], false, to);
+    move_end(r->steps, &steps[last], &steps[last - 1], true, from);
+    move_end(r->steps, &steps[first], &steps[first], false, to);
     if (gap <= TRIM_BRIDGE || length_in_space(r->in, from, to) <= TRIM_BRIDGE_SPACE) return true;
     r->error->curve = r->strands[i].curve;
     return refuse(r, NURBS_TRIM_OPEN, r->strands[i].curve, to, gap);

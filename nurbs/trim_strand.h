@@ -18,7 +18,11 @@ typedef struct {
     WideControl *control;         /* NULL: straight */
 } TrimStep;
 
-typedef struct { TrimStep *step; size_t n, capacity; } TrimSteps;
+typedef struct {
+    TrimStep *step;
+    size_t n, capacity;
+    double moved;                 /* the farthest that an end was moved by, at most TRIM_SILENT */
+} TrimSteps;
 
 /* Reads loop `index` of the input. Ends of strands within TRIM_SILENT of a border are put on it; joints are closed by their
  * midpoint or bridged, the curves' ends moved with them. The widest bridge goes to *bridged. False: *error says why; its place

@@ -409,6 +409,87 @@ static void the_curve_counts_and_not_its_control_points(void **state)
     arena_free(a);
 }
 
+/* A region whose lower side is a cubic of many spans beside the border, as CAD systems write an isoline: `off` is how far. */
+static TrimLoopDesc beside_the_border(Arena *a, double off, int n, TestRandom *r)
+{
+    static const double line[4] = { 0, 0, 1, 1 };
+    double *knots = ARENA_ARRAY(a, double, n + 4);
+    Vec3 *p = ARENA_ARRAY(a, Vec3, n), *corner = ARENA_ARRAY(a, Vec3, 4);
+    for (int i = 0; i < n + 4; i++) knots[i] = i < 4 ? 0 : i >= n ? n - 3 : i - 3;
+    for (int i = 0; i < n; i++) p[i] = vec((double)i / (n - 1), off * test_range(r, -1, 1), 1);
+    corner[0] = p[n - 1], corner[1] = vec(1, .5, 1), corner[2] = vec(0, .5, 1), corner[3] = p[0];
+    TrimCurveDesc *c = ARENA_ARRAY(a, TrimCurveDesc, 4);
+    c[0] = (TrimCurveDesc){ .order = 4, .n = n, .knots = knots, .points = p };
+    for (int i = 0; i < 3; i++) c[i + 1] = (TrimCurveDesc){ .order = 2, .n = 2, .knots = line, .points = corner + i };
+    return (TrimLoopDesc){ .curves = c, .n_curves = 4 };
+}
+
+static void a_curve_along_the_border_is_the_border(void **state)
+{
+    (void)state;
+    for (unsigned seed = 0; seed < 50; seed++) {
+        Arena *a = arena_new();
+        TestRandom r = test_random(seed);
+        TrimLoopDesc loop = beside_the_border(a, pow(10, test_range(&r, -16, -6)), test_int(&r, 4, 200), &r);
+        Made m = make(a, (TrimInput){ .loops = &loop, .n_loops = 1, .keep_left = true, .domain = unit_square });
+        CHECK(m.tree && m.n_warnings == 0 && trim_piece_count(m.tree) == 4, "seed %u: %d pieces", seed, trim_piece_count(m.tree));
+        for (int i = 0; i <= 100; i++) CHECK(trim_keeps(m.tree, i / 100., 0), "seed %u", seed);
+        CHECK(trim_class(m.tree, (TrimRect){ 0, 1, 0, .49 }) == TRIM_KEPT, "seed %u: no trim test at the border", seed);
+        arena_free(a);
+    }
+}
+
+static void a_curve_that_leaves_the_domain_is_clamped_where_it_leaves(void **state)
+{
+    (void)state;
+    for (int e = 0; e < 2; e++) {
+        Arena *a = arena_new();
+        double radius = .25, out = e ? 9e-3 : 1.1e-6;
+        Vec2 centre = vec2(1 - radius + out, .5);
+        for (int i = 0; i < 5; i++) {
+            TrimLoopDesc loop = turned_circle(a, centre, radius, i * .4, true);
+            Made m = make_of(a, &loop, 1);
+            CHECK(m.tree && m.n_warnings == 1 && m.warnings[0].code == NURBS_WARN_TRIM_CLAMPED, "code %d", m.error.code);
+            CHECK_WITHIN(fabs(m.warnings[0].value - out), 1e-12, "how far");
+            CHECK_WITHIN(fabs(m.warnings[0].v - .5), 1e-6, "where");
+            TestRandom r = test_random((uint64_t)i);
+            for (int j = 0; j < 5000; j++) {
+                double angle = test_range(&r, -.4, .4), s = radius + (j % 2 ? -1 : 1) * pow(10, test_range(&r, -14, -2));
+                Vec2 q = vec2(centre.x + s * cos(angle), centre.y + s * sin(angle));
+                if (q.x <= 1) CHECK(trim_keeps(m.tree, q.x, q.y) == (s < radius), "(%.17g, %.17g)", q.x, q.y);
+            }
+            CHECK(trim_keeps(m.tree, 1, .5) && !trim_keeps(m.tree, 1, .5 + 1.1 * sqrt(2 * radius * out)), "the border");
+        }
+        arena_free(a);
+    }
+}
+
+static void a_curve_of_thirty_thousand_knots_is_read(void **state)
+{
+    (void)state;
+    Arena *a = arena_new();
+    const int n = 30000;
+    double *knots = ARENA_ARRAY(a, double, n + 4);
+    Vec3 *p = ARENA_ARRAY(a, Vec3, n);
+    for (int i = 0; i < n + 4; i++) knots[i] = i < 4 ? 0 : i >= n ? n - 3 : i - 3;
+    for (int i = 0; i < n; i++) {
+        double t = 2 * acos(-1) * i / (n - 1), radius = .4 + .05 * sin(100 * t);
+        p[i] = vec(.5 + radius * cos(t), .5 + radius * sin(t), 1);
+    }
+    p[n - 1] = p[0];
+    TrimCurveDesc c = { .order = 4, .n = n, .knots = knots, .points = p };
+    TrimLoopDesc loop = { .curves = &c, .n_curves = 1 };
+    Made m = make_of(a, &loop, 1);
+    CHECK(m.tree && m.n_warnings == 0, "code %d", m.error.code);
+    CHECK(trim_piece_count(m.tree) >= n - 3 && trim_piece_count(m.tree) < n + 1000, "%d pieces", trim_piece_count(m.tree));
+    TestRandom r = test_random(1);
+    for (int i = 0; i < 20000; i++) {           /* counterclockwise: a hole; between knots the curve is near its points */
+        double t = test_range(&r, .01, 6.27), radius = .4 + .05 * sin(100 * t) + (i % 2 ? 1e-4 : -1e-4);
+        CHECK(trim_keeps(m.tree, .5 + radius * cos(t), .5 + radius * sin(t)) == i % 2, "%.17g", t);
+    }
+    arena_free(a);
+}
+
 /* A curve that goes very far out is refused at once, not flattened to 1e-7 of the domain. */
 static void a_curve_that_goes_far_out_costs_nothing(void **state)
 {
@@ -441,6 +522,9 @@ int main(void)
         cmocka_unit_test(points_outside_are_clamped_silently_up_to_1e_6),
         cmocka_unit_test(clamping_leaves_what_is_inside_alone),
         cmocka_unit_test(the_curve_counts_and_not_its_control_points),
+        cmocka_unit_test(a_curve_along_the_border_is_the_border),
+        cmocka_unit_test(a_curve_that_leaves_the_domain_is_clamped_where_it_leaves),
+        cmocka_unit_test(a_curve_of_thirty_thousand_knots_is_read),
         cmocka_unit_test(a_curve_that_goes_far_out_costs_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -152,15 +152,35 @@ static void loops_without_area_are_left_out(void **state)
     Arena *a = arena_new();
     Vec2 slit[3] = { { .1, .1 }, { .9, .7 }, { .5, .4 } }, point[3] = { { .5, .5 }, { .5, .5 }, { .5, .5 } };
     Vec2 there_and_back[4] = { { .1, .1 }, { .5, .9 }, { .1, .1 }, { .9, .5 } };
-    Vec2 thin[4] = { { .1, .5 }, { .9, .5 }, { .9, .5 + 1e-7 }, { .1, .5 + 1e-7 } };
-    TrimLoopDesc loops[5] = { loop_of(a, slit, 3), loop_of(a, point, 3), loop_of(a, there_and_back, 4), loop_of(a, thin, 4),
-                              circle(a, vec2(.5, .5), 1e-9, true) };
-    Made m = make_of(a, loops, 5);
+    TrimLoopDesc loops[4] = { loop_of(a, slit, 3), loop_of(a, point, 3), loop_of(a, there_and_back, 4),
+                              circle(a, vec2(.5, .5), 1e-14, true) };
+    Made m = make_of(a, loops, 4);
     CHECK(!m.tree && m.error.code == NURBS_OK && m.n_warnings == 0, "code %d", m.error.code);
-    thin[2].y = thin[3].y = .5 + 1e-6;
-    loops[3] = loop_of(a, thin, 4);
-    CHECK(make_of(a, loops, 5).tree, "a slot of 1e-6 is there");
     arena_free(a);
+}
+
+/* Where nothing was mended a thin loop is as sure as any other. */
+static void a_sliver_is_there_if_its_sides_were_not_moved(void **state)
+{
+    (void)state;
+    for (int e = -12; e <= -4; e++) {
+        Arena *a = arena_new();
+        double w = pow(10, e);
+        Vec2 p[4] = { { .1, .5 }, { .1, .5 + w }, { .9, .5 + w }, { .9, .5 } }, start[4], end[4];
+        TrimLoopDesc loop = loop_of(a, p, 4);
+        Made m = make_of(a, &loop, 1);
+        CHECK(m.tree && m.n_warnings == 0, "1e%d: code %d", e, m.error.code);
+        CHECK(trim_keeps(m.tree, .3, .5 + w / 2) && !trim_keeps(m.tree, .3, .5 - w) && !trim_keeps(m.tree, .3, .5 + 2 * w), "1e%d", e);
+        for (int i = 0; i < 4; i++) start[i] = p[i], end[i] = p[(i + 1) % 4];
+        start[1].x += 8e-7;
+        loop = sides(a, start, end, 4);
+        m = make_of(a, &loop, 1);
+        CHECK((m.tree != NULL) == (w > 8e-7), "1e%d with a joint closed: code %d", e, m.error.code);
+        loop = turned_circle(a, vec2(.3, .6), w, 1, true);
+        m = make_of(a, &loop, 1);
+        CHECK(m.tree && trim_keeps(m.tree, .3, .6) && !trim_keeps(m.tree, .3 + 1.1 * w, .6), "1e%d: code %d", e, m.error.code);
+        arena_free(a);
+    }
 }
 
 static void repeated_points_and_pieces_of_no_length_say_nothing(void **state)
@@ -398,6 +418,51 @@ static void loops_that_cross_themselves_deeply_are_refused(void **state)
     arena_free(a);
 }
 
+/* Two circles that overlap by d, or one that is in the other but for d: the curves are arcs, the depth is what it is. */
+static void curves_that_cross_are_judged_by_their_depth(void **state)
+{
+    (void)state;
+    const double depth[] = { -1e-3, -1e-9, 0, 1e-12, 1.5e-6, 2.6e-6, 5e-5, 9.7e-5, 1.04e-4, .01 };
+    for (int i = 0; i < 10; i++) {
+        for (int turn = 0; turn < 6; turn++) {
+            Arena *a = arena_new();
+            bool is_hole = turn % 2;
+            double d = depth[i], direction = turn * .7, out = is_hole ? .2 - .1 + d : .2 + .1 - d;
+            Vec2 centre = vec2(.5 + out * cos(direction), .5 + out * sin(direction));
+            TrimLoopDesc loops[2] = { turned_circle(a, vec2(.5, .5), .2, turn, true), turned_circle(a, centre, .1, .3, !is_hole) };
+            Made m = make_of(a, loops, 2);
+            if (d > TRIM_CROSSING) {
+                CHECK(m.error.code == NURBS_TRIMS_CROSS && m.error.index == 0 && m.error.other == 1, "%g: %d", d, m.error.code);
+            } else {
+                CHECK(m.tree && m.n_warnings == (d > TRIM_CROSSING_SILENT), "%g: %d, %d warnings", d, m.error.code, m.n_warnings);
+                CHECK(!is_hole || only(&m.tree->top)->inner.n == 1, "%g: the hole is in the disc", d);
+            }
+            arena_free(a);
+        }
+    }
+}
+
+/* A cubic that makes a small loop, closed by straight sides. */
+static void a_curve_that_crosses_itself_is_refused_or_mentioned(void **state)
+{
+    (void)state;
+    static const double knots[8] = { 0, 0, 0, 0, 1, 1, 1, 1 }, line[4] = { 0, 0, 1, 1 };
+    for (int i = 0; i < 3; i++) {
+        Arena *a = arena_new();
+        double size = (const double[]){ .8, .002, 5e-6 }[i];             /* of the control polygon: a loop of some 1/10 of it */
+        Vec3 p[4] = { { .5 - .1 * size, .2, 1 }, { .5 + .5 * size, .2 + .6 * size, 1 }, { .5 - .5 * size, .2 + .6 * size, 1 },
+                      { .5 + .1 * size, .2, 1 } };
+        Vec3 q[4] = { p[3], { .9, .1, 1 }, { .1, .1, 1 }, p[0] };
+        TrimCurveDesc c[4] = { { .order = 4, .n = 4, .knots = knots, .points = p } };
+        for (int s = 0; s < 3; s++) c[s + 1] = (TrimCurveDesc){ .order = 2, .n = 2, .knots = line, .points = q + s };
+        TrimLoopDesc loop = { .curves = c, .n_curves = 4 };
+        Made m = make_of(a, &loop, 1);
+        CHECK(i < 2 ? m.error.code == NURBS_TRIMS_CROSS : m.tree && m.n_warnings <= 1, "%g: %d", size, m.error.code);
+        if (i == 0) CHECK_WITHIN(fabs(m.error.u - .5), 1e-6, "where it crosses");
+        arena_free(a);
+    }
+}
+
 /* With a shallow crossing the inside is where the winding number is not zero. */
 static void inside_of_a_shallow_crossing_is_decided_by_winding(void **state)
 {
@@ -481,6 +546,7 @@ int main(void)
         cmocka_unit_test(a_loop_that_is_the_border_is_left_out),
         cmocka_unit_test(a_trim_along_the_border_keeps_the_border),
         cmocka_unit_test(loops_without_area_are_left_out),
+        cmocka_unit_test(a_sliver_is_there_if_its_sides_were_not_moved),
         cmocka_unit_test(repeated_points_and_pieces_of_no_length_say_nothing),
         cmocka_unit_test(a_seam_may_be_used_twice),
         cmocka_unit_test(a_loop_that_is_there_twice_counts_once),
@@ -492,6 +558,8 @@ int main(void)
         cmocka_unit_test(a_needle_through_a_square_crosses_it),
         cmocka_unit_test(a_loop_that_crosses_itself_is_judged_by_the_wrong_region),
         cmocka_unit_test(loops_that_cross_themselves_deeply_are_refused),
+        cmocka_unit_test(curves_that_cross_are_judged_by_their_depth),
+        cmocka_unit_test(a_curve_that_crosses_itself_is_refused_or_mentioned),
         cmocka_unit_test(inside_of_a_shallow_crossing_is_decided_by_winding),
         cmocka_unit_test(a_hole_that_crosses_its_region_a_little_stays_in_it),
         cmocka_unit_test(warnings_beyond_the_room_for_them_are_counted),

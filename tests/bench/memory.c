@@ -1,5 +1,5 @@
 /* malloc and its family, counting what is held: every library of the process comes through here. What they map themselves they must
- * tell (Embree does). glibc only; elsewhere everything counts as nothing. */
+ * tell (Embree does). glibc only; elsewhere, and under sanitizers, everything counts as nothing. */
 #include "tests/bench/bench.h"
 
 #include <errno.h>
@@ -12,7 +12,15 @@ size_t memory_now(void) { return now; }
 size_t memory_peak(void) { return peak; }
 void memory_reset_peak(void) { peak = now; }
 
-#if defined(__GLIBC__)
+#if defined(__has_feature)
+#define IS_SANITIZED (__has_feature(address_sanitizer) || __has_feature(thread_sanitizer))
+#elif defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define IS_SANITIZED 1
+#else
+#define IS_SANITIZED 0
+#endif
+
+#if defined(__GLIBC__) && !IS_SANITIZED
 void *__libc_malloc(size_t);
 void *__libc_calloc(size_t, size_t);
 void *__libc_realloc(void *, size_t);
@@ -21,12 +29,10 @@ void __libc_free(void *);
 
 static void *counted(void *p)
 {
-    size_t held = now += p ? malloc_usable_size(p) : 0;
-    if (held > peak) peak = held;
+    now += p ? malloc_usable_size(p) : 0;
+    if (now > peak) peak = now;
     return p;
 }
-
-static void uncount(void *p) { now -= p ? malloc_usable_size(p) : 0; }
 
 void *malloc(size_t n) { return counted(__libc_malloc(n)); }
 void *calloc(size_t n, size_t size) { return counted(__libc_calloc(n, size)); }
@@ -52,7 +58,7 @@ void *realloc(void *p, size_t n)
 
 void free(void *p)
 {
-    uncount(p);
+    now -= p ? malloc_usable_size(p) : 0;
     __libc_free(p);
 }
 #endif

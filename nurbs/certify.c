@@ -56,6 +56,7 @@ typedef struct {
     PatchPoint last;               /* evaluated at (s - ds, t - dt) */
     double ds, dt;
     double j11, j12, j21, j22, det;
+    double m11, m12, m21, m22, m_det;   /* the frame's */
     double contraction;            /* q of the frame's certificate */
 } Solve;
 
@@ -110,6 +111,20 @@ ALWAYS_INLINE bool proves_miss(const Solve *k, double ds, double dt)
     return out_s * out_s + out_t * out_t > 1.0001 * reach * reach * (step_s * step_s + step_t * step_t);
 }
 
+/* The same from F at (s, t), where steps are clamped to the square with its margin. G(x) = x - J_m^-1 F(x) contracts with q, and so
+ * does PG, P the clamping, which lengthens nothing: a root x* in the square has |x* - x| <= |PG(x) - x| / (1 - q), and |G(x) - x| <=
+ * (1 + q) |x* - x|. (Lengths are in space; the numerator's F is over the weight at the middle, as its derivatives there.) */
+ALWAYS_INLINE bool proves_miss_by_clamping(const Solve *k, double f1, double f2)
+{
+    const Patch *p = k->p;
+    double scale = 1 / (k->m_det * p->w_middle), u = 2 * p->half_u, v = 2 * p->half_v;
+    double g_s = (k->m12 * f2 - k->m22 * f1) * scale, g_t = (k->m21 * f1 - k->m11 * f2) * scale;
+    double p_s = u * (clamped(k->s + g_s / u, -PATCH_MARGIN, 1 + PATCH_MARGIN) - k->s);
+    double p_t = v * (clamped(k->t + g_t / v, -PATCH_MARGIN, 1 + PATCH_MARGIN) - k->t);
+    double least = (1 + k->contraction) / (1 - k->contraction);
+    return g_s * g_s + g_t * g_t > 1.0001 * least * least * (p_s * p_s + p_t * p_t);
+}
+
 /* From (s, t) to the root of F in the patch with its margin, if there is one. */
 ALWAYS_INLINE NewtonResult newton(Solve *k, Trace *trace)
 {
@@ -124,8 +139,7 @@ ALWAYS_INLINE NewtonResult newton(Solve *k, Trace *trace)
         double ds = (k->j12 * f2 - k->j22 * f1) * scale, dt = (k->j21 * f1 - k->j11 * f2) * scale;
         double s = clamped(k->s + ds, lo, hi), t = clamped(k->t + dt, lo, hi);
         bool leaves = s != k->s + ds || t != k->t + dt;
-        if (leaves && proves_miss(k, ds, dt)) return NEWTON_OUTSIDE;
-        if (leaves && step > 2) return NEWTON_UNDECIDED;
+        if (leaves && (proves_miss(k, ds, dt) || proves_miss_by_clamping(k, f1, f2))) return NEWTON_OUTSIDE;
         k->ds = s - k->s, k->dt = t - k->t, k->s = s, k->t = t;
         if (fabs(ds) < LAST_STEP && fabs(dt) < LAST_STEP) return place_of_root(k);
     }
@@ -149,6 +163,7 @@ ALWAYS_INLINE FrameResult frame_test(Solve *k)
     double column_v2 = k->j12 * k->j12 + k->j22 * k->j22, column_u2 = k->j11 * k->j11 + k->j21 * k->j21;   /* at most 1 */
     if (fabs(x_s) > p->half_u * det + sqrt(column_v2) * slack) return FRAME_MISS;
     if (fabs(x_t) > p->half_v * det + sqrt(column_u2) * slack) return FRAME_MISS;
+    k->m11 = k->j11, k->m12 = k->j12, k->m21 = k->j21, k->m22 = k->j22, k->m_det = k->det;
     k->contraction = sqrt(column_u2 + column_v2) * p->variation / det;
     if (!(k->contraction < 0.98)) return FRAME_UNDECIDED;
     const double lo = -PATCH_MARGIN, hi = 1 + PATCH_MARGIN;

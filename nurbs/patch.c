@@ -150,6 +150,7 @@ static void make_frame(Arena *scratch, Patch *p)
     Vec4 value, by_s, by_t;
     patch_evaluate(p, 0.5, 0.5, &value, &by_s, &by_t);
     Vec3 centre = vec4_project(value);   /* zero but for rounding */
+    p->w_middle = value.w;
     Vec3 s_s = vec_scale(vec_sub(xyz(by_s), vec_scale(centre, by_s.w)), 1 / value.w);
     Vec3 s_t = vec_scale(vec_sub(xyz(by_t), vec_scale(centre, by_t.w)), 1 / value.w);
     bound_variation(scratch, p, xyz(by_s), xyz(by_t));

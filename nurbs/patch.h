@@ -24,7 +24,7 @@ typedef struct {
     double u0, u1, v0, v1;        /* its interval of the surface's parameters */
     double rounding;              /* its points, and so the patch, are at most this far from where exact arithmetic has them */
     double radius;                /* |S(s, t) - origin| <= radius, with the margin */
-    double w_max;                 /* largest weight (1 where is_polynomial) */
+    double w_max, w_middle;       /* largest weight, and the weight at the middle (1 where is_polynomial) */
 
     /* The frame: S(s, t) = origin + (2s-1) half_u e_u + (2t-1) half_v e_v + r, |r| <= deviation on the patch. */
     bool has_frame;               /* both derivatives at the middle are not zero */

@@ -192,7 +192,11 @@ bool bvh_wide_traverse(const WideBvh *b, const Ray *r, double *t_max, BvhVisit v
     Waiting stack[STACK_SIZE];
     int top = 0;
     float limit = 0, t_min = 0;
-    if (prepare(b, r, *t_max, t, &w)) {
+    if (b->nodes[0].n_children == 1 && b->nodes[0].child[0] & IS_ITEM) {    /* one box needs no tree */
+        BoxRay box = box_ray(r->origin, r->dir);
+        double t_enter;
+        ended = box_hit(&b->bounds, &box, r->t_min, *t_max, &t_enter) && visit(context, b->nodes[0].child[0] & ~IS_ITEM, r, t_max, t);
+    } else if (prepare(b, r, *t_max, t, &w)) {
         stack[top++] = (Waiting){ 0, -INFINITY };
         limit = float_up((*t_max - w.start) * w.scale), t_min = float_down((r->t_min - w.start) * w.scale);
     }

@@ -142,7 +142,7 @@ static void unsupported_values_are_errors_only_where_they_are_used(void **state)
     }
 }
 
-/* Those that declare what a later issue brings are read all the same. */
+/* Those that declare what is not supported are read all the same. */
 static void the_standard_include_files_load(void **state)
 {
     (void)state;

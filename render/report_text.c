@@ -56,7 +56,7 @@ const char *const report_style[] = {
     "  input,",
     "  #tip { display: none; } svg.plot, figure, tr { break-inside: avoid; } h2, h3 { break-after: avoid; }",
     "  .scroll { overflow: visible; } table { font-size: 7px; } th, td { padding: 1px 3px; } h2 { break-before: page; }",
-    "  h2.first { break-before: auto; } }",
+    "  h2.first { break-before: auto; } .plots { grid-template-columns: 1fr 1fr; } }",
     NULL
 };
 

@@ -1,5 +1,5 @@
-/* Rays per second, preparation, memory and error of trimray's methods and of its peers on the same models and the same rays; prints
- * Markdown. bench.h says what the parts are; run.sh builds and runs all.
+/* Rays per second, preparation, memory and error of trimray's methods and of its peers on the same models and the same
+ * rays; prints Markdown. bench.h says what the parts are; run.sh builds and runs all.
  *
  *   bench [--models NAME,...] [--engines NAME,...] [--sets NAME,...] [--size N] [--rays N] [--repeats N] [--budget SECONDS]
  *         [--triangles MILLIONS] [--long]
@@ -9,8 +9,9 @@
  * --triangles  no larger meshes
  * --long       more models, larger fields, trims and meshes, longer passes
  *
- * The truth is what `certain` answers, which the stress tests hold against closed forms and certified roots; on sphere and torus
- * it is held against the closed form here, too. Where `paper`, SISL and Open CASCADE have no false hits, it missed none. */
+ * The truth is what `certain` answers, which the stress tests hold against closed forms and certified roots; on sphere
+ * and torus it is held against the closed form here, too. Where `paper`, SISL and Open CASCADE have no false hits, it
+ * missed none. */
 #include "tests/bench/run.h"
 
 #include "tests/stress/truth.h"
@@ -112,7 +113,8 @@ static void check_answer(Check *c, const Truth *truth, double t, double diagonal
     if (i == truth->n) c->wrong += isfinite(t);
     else if (t > (double)r->hi + TRUTH_ERROR * diagonal) c->missed++;
     else if (t < (double)r->lo - TRUTH_ERROR * diagonal) c->wrong++;
-    else if (truth_is_sure(r) && r->hi - r->lo < 1e-9) c->largest = double_max(c->largest, fabs(t - (double)r->t) / diagonal);
+    else if (truth_is_sure(r) && r->hi - r->lo < 1e-9)
+        c->largest = double_max(c->largest, fabs(t - (double)r->t) / diagonal);
 }
 
 static void check_closed_form(const Bench *b)
@@ -130,8 +132,8 @@ static void check_closed_form(const Bench *b)
             check_answer(&c, &truth, b->truth[k][i], m->diagonal);
         }
     }
-    printf("`certain` against the closed form, %zu rays of all sets: %zu missed, %zu false, largest depth error %.1e.\n\n", c.n,
-           c.missed, c.wrong, c.largest);
+    printf("`certain` against the closed form, %zu rays of all sets: %zu missed, %zu false, largest depth error %.1e.\n\n",
+           c.n, c.missed, c.wrong, c.largest);
 }
 
 /* ---- one model ---- */

@@ -21,8 +21,8 @@ typedef struct {
     const Form *form;            /* the closed form, in the model's own coordinates; NULL: none */
 } Model;
 
-/* The model of this name, in the arena; false: there is none, or its scene cannot be read (a message is on stderr). Names: sphere,
- * torus, teapot, sheet, order8, field-N (N a square), trims-N (N pieces in all). */
+/* The model of this name, in the arena; false: there is none, or its scene cannot be read (a message is on stderr).
+ * Names: sphere, torus, teapot, sheet, order8, field-N (N a square), trims-N (N pieces in all). */
 bool model_make(Arena *a, const char *name, Model *out);
 
 /* The net of a bicubic patch S: 16 points of S at thirds of the domain determine it. */
@@ -67,7 +67,8 @@ typedef struct {
 
 typedef struct Engine Engine;
 struct Engine {
-    /* Every stride-th ray of the set: t[0], t[1], ...: the depth, INFINITY for a miss; with t_max: 0 blocked, INFINITY free. */
+    /* Every stride-th ray of the set: t[0], t[1], ...: the depth, INFINITY for a miss; with t_max: 0 blocked, INFINITY
+     * free. */
     void (*shoot)(Engine *e, const RaySet *set, size_t stride, double *t);
     /* The same; seconds of all leaf tests, and how many they were. NULL: it has none. */
     double (*test_seconds)(Engine *e, const RaySet *set, size_t stride, double *t, uint64_t *n_tests);
@@ -96,8 +97,8 @@ typedef struct {
     double cycles_per_ray, cycles_per_test;   /* the latter 0: not known */
 } Speed;
 
-/* Median of `repeats` passes; slow engines get every stride-th ray, so that a pass takes about `budget` seconds. t has room for set->n;
- * it gets the answers of the last pass. spread: (slowest - fastest) / median. */
+/* Median of `repeats` passes; slow engines get every stride-th ray, so that a pass takes about `budget` seconds. t has
+ * room for set->n; it gets the answers of the last pass. spread: (slowest - fastest) / median. */
 Speed measure_speed(Engine *e, const RaySet *set, int repeats, double budget, double *t);
 
 typedef struct { size_t hits, missed, wrong; double largest, rms, p999; } Accuracy;

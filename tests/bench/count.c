@@ -1,5 +1,5 @@
-/* Three small fixed runs of `certain`, for counting instructions: count.sh runs this under callgrind, which counts within counted_pass
- * alone.
+/* Three small fixed runs of `certain`, for counting instructions: count.sh runs this under callgrind, which counts within
+ * counted_pass alone.
  *
  *   count NAME     prints how many rays the run has; without NAME: the names
  *   count --built  prints what it was built with: counts of different compilers are not compared */

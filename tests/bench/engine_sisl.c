@@ -1,4 +1,5 @@
-/* SISL's s1856: all points where a line meets a surface, by subdivision and iteration. It knows no trims: points are held against trimray's. */
+/* SISL's s1856: all points where a line meets a surface, by subdivision and iteration. It knows no trims: points are held
+ * against trimray's. */
 #include "tests/bench/peer.h"
 
 #include "nurbs/surface.h"
@@ -30,8 +31,8 @@ static void *sisl_make(const SurfaceDesc *desc, double tolerance)
         c[width * i] = p.x, c[width * i + 1] = p.y, c[width * i + 2] = p.z;
         if (is_rational) c[width * i + 3] = p.w;
     }
-    s->sisl = newSurf(desc->n_u, desc->n_v, desc->order_u, desc->order_v, (double *)desc->knots_u, (double *)desc->knots_v, c,
-                      is_rational ? 2 : 1, 3, 1);
+    s->sisl = newSurf(desc->n_u, desc->n_v, desc->order_u, desc->order_v, (double *)desc->knots_u, (double *)desc->knots_v,
+                      c, is_rational ? 2 : 1, 3, 1);
     return s;
 }
 

@@ -1,6 +1,6 @@
-/* Embree's levels: the coarsest meshes whose depth error on the random rays is under 1e-5 of the diagonal, by RMS and for 99.9 % of
- * the hits. The error falls with the chord error, and with the square of the steps of a grid: from one level the next is
- * guessed, and tried. */
+/* Embree's levels: the coarsest meshes whose depth error on the random rays is under 1e-5 of the diagonal, by RMS and for
+ * 99.9 % of the hits. The error falls with the chord error, and with the square of the steps of a grid: from one level
+ * the next is guessed, and tried. */
 #include "tests/bench/mesh.h"
 #include "tests/bench/run.h"
 
@@ -30,7 +30,8 @@ static void add_level(Bench *b, Kind kind, const char *label, Engine *robust, co
 
 static void say_none(Bench *b)
 {
-    snprintf(b->notes, sizeof b->notes, "No mesh of at most %zu million triangles has 99.9 %% of the depth errors under 1e-5.",
+    snprintf(b->notes, sizeof b->notes,
+             "No mesh of at most %zu million triangles has 99.9 %% of the depth errors under 1e-5.",
              b->options->max_triangles / 1000000);
 }
 

@@ -36,7 +36,8 @@ static double pass_seconds(Engine *e, const RaySet *set, size_t stride, double *
     return processor_now() - begin;
 }
 
-/* Average seconds of a leaf test, by the wall's clock, which other load disturbs: hence in chunks, the best of three for each. */
+/* Average seconds of a leaf test, by the wall's clock, which other load disturbs: hence in chunks, the best of three for
+ * each. */
 static double test_seconds(Engine *e, const RaySet *set, size_t stride)
 {
     enum { CHUNK = 256 };

@@ -1,5 +1,5 @@
-/* malloc and its family, counting what is held: every library of the process comes through here. What they map themselves they must
- * tell (Embree does). glibc only; elsewhere, and under sanitizers, everything counts as nothing. */
+/* malloc and its family, counting what is held: every library of the process comes through here. What they map themselves
+ * they must tell (Embree does). glibc only; elsewhere, and under sanitizers, everything counts as nothing. */
 #include "tests/bench/bench.h"
 
 #include <errno.h>

@@ -1,5 +1,5 @@
-/* The models, from their names. All but the teapot are made here; sphere and torus are those of the stress tests, whose closed form
- * is known. */
+/* The models, from their names. All but the teapot are made here; sphere and torus are those of the stress tests, whose
+ * closed form is known. */
 #include "tests/bench/bench.h"
 
 #include <string.h>
@@ -73,8 +73,8 @@ static TrimCurveDesc polygon_curve(Arena *a, Vec2 centre, double radius, int n)
     return (TrimCurveDesc){ .order = 2, .n = n, .points = p };
 }
 
-/* n_u by n_v holes of the same radius over the whole domain; pieces 0: circles. A loop round a hole runs clockwise or not: the
- * surface is outside all of them whichever way, so that `keep_left` is set to fit. */
+/* n_u by n_v holes of the same radius over the whole domain; pieces 0: circles. A loop round a hole runs clockwise or
+ * not: the surface is outside all of them whichever way, so that `keep_left` is set to fit. */
 static void punch(Arena *a, SurfaceDesc *s, int n_u, int n_v, double radius, int pieces)
 {
     TrimLoopDesc *loops = ARENA_ARRAY(a, TrimLoopDesc, n_u * n_v);
@@ -137,8 +137,8 @@ static bool model_order8(Arena *a, Model *m)
     return true;
 }
 
-/* A bicubic patch each, no two alike, side by side on the same hills: the whole is as large, and is hit by as many rays, however many
- * they are. */
+/* A bicubic patch each, no two alike, side by side on the same hills: the whole is as large, and is hit by as many rays,
+ * however many they are. */
 static Vec4 *hilly_net(Arena *a, TestRandom *r, Vec3 at, double side)
 {
     Vec4 *p = bumpy_net(a, r, 4, at, side, 0.3 * side);
@@ -197,7 +197,8 @@ bool model_make(Arena *a, const char *name, Model *out)
     Box box = box_empty();
     for (int i = 0; i < out->n; i++) {
         const SurfaceDesc *s = &out->surfaces[i];
-        for (int k = 0; k < s->n_u * s->n_v; k++) box = box_add_point(box, vec(s->points[k].x, s->points[k].y, s->points[k].z));
+        for (int k = 0; k < s->n_u * s->n_v; k++)
+            box = box_add_point(box, vec(s->points[k].x, s->points[k].y, s->points[k].z));
     }
     out->box = box, out->centre = box_centre(box), out->diagonal = box_diagonal(box);
     out->light = vec_add(out->centre, vec_scale(vec(-1.0, 0.4, -0.6), out->diagonal));

@@ -1,4 +1,5 @@
-/* Peers that know one surface at a time: the tree of boxes over the surfaces is trimray's, so that fields are not held against them. */
+/* Peers that know one surface at a time: the tree of boxes over the surfaces is trimray's, so that fields are not held
+ * against them. */
 #ifndef TRIMRAY_BENCH_PEER_H
 #define TRIMRAY_BENCH_PEER_H
 

@@ -3,8 +3,8 @@
 
   process.py TRIMRAY [--size N] SCENE.pov...
 
-Both with one thread. The mesh is made finer until POV-Ray's picture differs from trimray's in at most 0.5 % of the pixels by more than
-1/255. Seconds are the processor's, user and system, the best of three. Prints Markdown."""
+Both with one thread. The mesh is made finer until POV-Ray's picture differs from trimray's in at most 0.5 % of the pixels
+by more than 1/255. Seconds are the processor's, user and system, the best of three. Prints Markdown."""
 import os
 import re
 import resource
@@ -46,12 +46,13 @@ def run_scene(trimray, size, scene, work):
     print(f"| {name} | trimray | | | {ours:.2f} | | |", flush=True)
     for chord_error in CHORD_ERRORS:
         mesh, theirs = os.path.join(work, name + "_mesh.pov"), os.path.join(work, name + "_mesh.png")
-        export = processor_seconds([trimray, "export", os.path.abspath(scene), *switches[:2], "-o", mesh, "--chord-error", str(chord_error)], folder)
+        export = processor_seconds([trimray, "export", os.path.abspath(scene), *switches[:2], "-o", mesh,
+                                    "--chord-error", str(chord_error)], folder)
         megabytes = os.path.getsize(mesh) / 1e6
         seconds = best_seconds(["povray", "+I" + mesh, "+O" + theirs, *switches, "+L" + folder, "-GA"], work, 1)
         share = differing_share(trimray, picture, theirs)
-        print(f"| {name} | POV-Ray, chord error {chord_error:g} | {export:.2f} | {megabytes:.0f} | {seconds:.2f} | {100 * share:.2f} % "
-              f"| {seconds / ours:.2f} |", flush=True)
+        print(f"| {name} | POV-Ray, chord error {chord_error:g} | {export:.2f} | {megabytes:.0f} | {seconds:.2f} "
+              f"| {100 * share:.2f} % | {seconds / ours:.2f} |", flush=True)
         if share <= SHARE:
             break
 

@@ -22,11 +22,12 @@ one_core() { if command -v taskset >/dev/null; then taskset -c 0 "$@"; else "$@"
 echo "# Benchmark"
 echo
 echo "$(git -C "$root" describe --always --dirty 2>/dev/null || echo 'no revision'), $(date -u +%F), one core of" \
-    "$(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -1). Times are the processor's; rays/s the median of five passes."
+    "$(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -1)." \
+    "Times are the processor's; rays/s the median of five passes."
 one_core "$root/build-bench/tests/bench/bench" "$@"
 command -v povray >/dev/null || exit 0
 echo
 echo "### Whole processes, 1024 x 1024, one thread"
 echo
-# shellcheck disable=SC2086   # a list of words
+# shellcheck disable=SC2046,SC2086   # lists of words
 one_core python3 "$root/tests/bench/process.py" "$root/build-bench/trimray" $(printf "$root/scenes/%s.pov " $scenes)

@@ -5,7 +5,8 @@
 
 void print_preparation(const Bench *b)
 {
-    printf("| engine | leaves or triangles | mesh, s | preparation, s | held, MB | peak, MB |\n|---|---:|---:|---:|---:|---:|\n");
+    printf("| engine | leaves or triangles | mesh, s | preparation, s | held, MB | peak, MB |\n"
+           "|---|---:|---:|---:|---:|---:|\n");
     for (int i = 0; i < b->n_engines; i++) {
         const EngineCost *c = &b->list[i].engine->cost;
         printf("| %s | ", b->list[i].name);
@@ -25,8 +26,8 @@ static void print_counters(const Counters *c, const Speed *s, const Accuracy *a,
     }
     double passes = repeats, rays = (double)s->n * passes, tests = (double)c->nurbs_tests, hits = (double)a->hits * passes;
     double boxes = (double)(c->bv_intersections + c->light_bv_intersections);
-    printf("%.0f | %.2f | %.2f | %.2f | %.2f | %.3f |\n", s->cycles_per_test, boxes / rays, tests / rays, tests / double_max(hits, 1),
-           (double)c->newton_iterations / tests, (double)c->fallbacks / tests);
+    printf("%.0f | %.2f | %.2f | %.2f | %.2f | %.3f |\n", s->cycles_per_test, boxes / rays, tests / rays,
+           tests / double_max(hits, 1), (double)c->newton_iterations / tests, (double)c->fallbacks / tests);
 }
 
 static void print_row(Bench *b, int k, Entry *e)
@@ -36,8 +37,8 @@ static void print_row(Bench *b, int k, Entry *e)
     Speed s = measure_speed(e->engine, set, o->repeats, o->budget, b->answers);
     Accuracy a = measure_accuracy(&b->model, set, s.stride, b->truth[k], b->answers);
     e->speed[k] = s, e->accuracy[k] = a;
-    printf("| %s | %s | %.3f | %.0f %% | %zu | %zu | %zu | %zu | ", set->name, e->name, s.rays_per_second * 1e-6, 100 * s.spread,
-           s.stride, a.hits, a.missed, a.wrong);
+    printf("| %s | %s | %.3f | %.0f %% | %zu | %zu | %zu | %zu | ", set->name, e->name, s.rays_per_second * 1e-6,
+           100 * s.spread, s.stride, a.hits, a.missed, a.wrong);
     if (set->t_max) printf("| | | ");
     else printf("%.1e | %.1e | %.1e | ", a.largest, a.rms, a.p999);
     printf("%.0f | ", s.cycles_per_ray);
@@ -47,8 +48,8 @@ static void print_row(Bench *b, int k, Entry *e)
 
 void print_rays(Bench *b)
 {
-    printf("| rays | engine | M rays/s | spread | 1/n | hits | missed | false | largest | RMS | 99.9 %% | cycles/ray | cycles/test "
-           "| boxes/ray | tests/ray | tests/hit | steps/test | fallbacks/test |\n"
+    printf("| rays | engine | M rays/s | spread | 1/n | hits | missed | false | largest | RMS | 99.9 %% | cycles/ray "
+           "| cycles/test | boxes/ray | tests/ray | tests/hit | steps/test | fallbacks/test |\n"
            "|---|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n");
     for (int k = 0; k < b->n_sets; k++)
         for (int i = 0; i < b->n_engines && is_listed(b->options->sets, b->sets[k].name); i++) print_row(b, k, &b->list[i]);
@@ -77,7 +78,9 @@ static void print_ratio(double ratio, double wanted)
 
 static double wanted_of(const Goal *g, const char *set)
 {
-    return !strcmp(set, "camera") ? g->camera : !strcmp(set, "random") ? g->random : !strcmp(set, "shadow") ? g->shadow : g->other;
+    if (!strcmp(set, "camera")) return g->camera;
+    if (!strcmp(set, "random")) return g->random;
+    return !strcmp(set, "shadow") ? g->shadow : g->other;
 }
 
 static const Goal *goal_of(Kind kind)

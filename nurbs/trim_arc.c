@@ -1,11 +1,11 @@
 /* Monotone arcs. See trim_arc.h.
  *
- * trim_arc_is_right: with h = w (curve - p), a plane polynomial, the question is the sign of h_x where h_y = 0, and no division
- * is needed. A bracket [t_low, t_high] with h_y <= 0 < h_y at its ends answers it if both ends are on one side, for x is
- * monotone; or if the chord between them passes p by more than h can leave the chord, |h''| (t_high - t_low)^2 / 8, and
- * rounding. If not, h is evaluated on either side of where the chord crosses the line, so near to it that the root must be
- * between: the bracket's width is squared. All this in doubles, and where their rounding leaves it open, again with twice the
- * precision. */
+ * trim_arc_is_right: with h = w (curve - p), a plane polynomial, the question is the sign of h_x where h_y = 0, and no
+ * division is needed. A bracket [t_low, t_high] with h_y <= 0 < h_y at its ends answers it if both ends are on one side,
+ * for x is monotone; or if the chord between them passes p by more than h can leave the chord, |h''| (t_high - t_low)^2 /
+ * 8, and rounding. If not, h is evaluated on either side of where the chord crosses the line, so near to it that the root
+ * must be between: the bracket's width is squared. All this in doubles, and where their rounding leaves it open, again
+ * with twice the precision. */
 #include "nurbs/trim_arc.h"
 
 #include "nurbs/bernstein.h"
@@ -64,8 +64,8 @@ WidePoint trim_segment_at(const TrimSegment *s, double t)
 
 static Wide coordinate_of(const WideControl *p, int coordinate) { return coordinate ? p->y : p->x; }
 
-/* The numerator of the derivative of x = X / W. With X = (1-t) X_0 + t X_1, X_0 and X_1 having the control points but the last
- * and but the first, X' W - X W' = (k-1) (X_1 W_0 - X_0 W_1): order 2k - 3. */
+/* The numerator of the derivative of x = X / W. With X = (1-t) X_0 + t X_1, X_0 and X_1 having the control points but the
+ * last and but the first, X' W - X W' = (k-1) (X_1 W_0 - X_0 W_1): order 2k - 3. */
 static int hodograph(const TrimSegment *s, int coordinate, double out[])
 {
     int d = s->k - 2;                                    /* the degree of X_0 and X_1 */
@@ -189,7 +189,8 @@ static int side_of_bracket(const Passing *s)
     return left - right > bound ? 1 : left - right < -bound ? -1 : 0;
 }
 
-/* Moves one end of the bracket to t. False: h_y is 0 there as far as can be seen, so p is as near to the arc as h_x is to 0. */
+/* Moves one end of the bracket to t. False: h_y is 0 there as far as can be seen, so p is as near to the arc as h_x is to
+ * 0. */
 static bool narrow(Passing *s, double t)
 {
     if (!((t > s->low.t && t < s->high.t) || (t < s->low.t && t > s->high.t))) return true;

@@ -1,7 +1,8 @@
-/* Arcs: parts of rational Bézier curves in the unit square that are monotone in u and in v, and exact decisions about them.
+/* Arcs: parts of rational Bézier curves in the unit square that are monotone in u and in v, and exact decisions about
+ * them.
  *
- * Control points are kept to twice the precision of a double, for the scaling of the domain to the unit square and the closing
- * of knots would otherwise move the curve by as much as the distances that count here. */
+ * Control points are kept to twice the precision of a double, for the scaling of the domain to the unit square and the
+ * closing of knots would otherwise move the curve by as much as the distances that count here. */
 #ifndef TRIMRAY_TRIM_ARC_H
 #define TRIMRAY_TRIM_ARC_H
 
@@ -26,8 +27,8 @@ TrimSegment trim_segment_make(int k, const WideControl *p);                     
 WidePoint trim_segment_at(const TrimSegment *s, double t);
 
 /* Where x or y turn, ascending in (0, 1): between two of them, or an end, the curve is monotone in both. Room for
- * TRIM_MAX_TURNS. Both are roots of hodographs, found with certainty (bernstein.h) to the last bit of t: the curve returns by
- * less than |h''| 2^-106 of where it turns. */
+ * TRIM_MAX_TURNS. Both are roots of hodographs, found with certainty (bernstein.h) to the last bit of t: the curve
+ * returns by less than |h''| 2^-106 of where it turns. */
 #define TRIM_MAX_TURNS (4 * NURBS_MAX_ORDER)
 int trim_segment_turns(const TrimSegment *s, double t[]);
 
@@ -40,10 +41,10 @@ typedef struct {
 
 TrimArc trim_arc_make(const TrimSegment *s, double t0, double t1);
 
-/* Does the arc from a to b pass the horizontal line through p to the right of p? Requires that one of a and b is above p and the
- * other is not (trim_is_above), and that p is in the unit square. A point on the arc is not to its left. That of exact
- * arithmetic unless p is nearer to the arc than 2^-90 of the domain or so (for orders and weights that are not extreme); such
- * points count as on it. */
+/* Does the arc from a to b pass the horizontal line through p to the right of p? Requires that one of a and b is above p
+ * and the other is not (trim_is_above), and that p is in the unit square. A point on the arc is not to its left. That of
+ * exact arithmetic unless p is nearer to the arc than 2^-90 of the domain or so (for orders and weights that are not
+ * extreme); such points count as on it. */
 bool trim_arc_is_right(const TrimArc *arc, WidePoint a, WidePoint b, WidePoint p);
 
 /* Within the arc's own parameters, t0 < t < t1: where the coordinate (0: u, 1: v) is `value`, to the last bit. */

@@ -25,9 +25,9 @@ static inline bool trim_rects_meet(TrimRect a, TrimRect b)
     return a.u0 <= b.u1 && b.u0 <= a.u1 && a.v0 <= b.v1 && b.v0 <= a.v1;
 }
 
-/* The tree is walked without a stack: at position i of level 0 the largest subtree that begins there is tried first (its level
- * says how often 4 divides i; position 0 is the root's), then the first of its children, and so on; what is dismissed is stepped
- * over. */
+/* The tree is walked without a stack: at position i of level 0 the largest subtree that begins there is tried first (its
+ * level says how often 4 divides i; position 0 is the root's), then the first of its children, and so on; what is
+ * dismissed is stepped over. */
 static inline int trim_boxes_level(const TrimBoxes *t, int i)
 {
     int level = i == 0 ? t->n_levels - 1 : __builtin_ctz((unsigned)i) / 2;

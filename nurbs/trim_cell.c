@@ -1,9 +1,9 @@
 /* Cells. See trim_cell.h.
  *
- * Within a rectangle r the winding number of a chain is that of the pieces that meet r and that of the runs between them. A run
- * that keeps clear of r counts the same for all p in r, but for its ends: as p goes up past an end that is to the right of
- * r, that end drops below the ray. So a run from a to b counts [b is right of r and above p] - [a is right of r and above p] + a
- * constant, and the sum of these constants is found once, from the winding number at one point of r. */
+ * Within a rectangle r the winding number of a chain is that of the pieces that meet r and that of the runs between them.
+ * A run that keeps clear of r counts the same for all p in r, but for its ends: as p goes up past an end that is to the
+ * right of r, that end drops below the ray. So a run from a to b counts [b is right of r and above p] - [a is right of r
+ * and above p] + a constant, and the sum of these constants is found once, from the winding number at one point of r. */
 #include "nurbs/trim_cell.h"
 
 #include "nurbs/trim_test.h"
@@ -83,7 +83,8 @@ static void add_ends(const Maker *m, CellTrim *t)
     const TrimPath *path = &t->chain->path;
     RunEnd *ends = ARENA_ARRAY(m->arena, RunEnd, 2 * t->n_pieces);
     for (int k = 0; k < t->n_pieces; k++) {
-        int i = t->pieces[k], before = t->pieces[(k > 0 ? k : t->n_pieces) - 1], after = t->pieces[k + 1 < t->n_pieces ? k + 1 : 0];
+        int i = t->pieces[k], before = t->pieces[(k > 0 ? k : t->n_pieces) - 1];
+        int after = t->pieces[k + 1 < t->n_pieces ? k + 1 : 0];
         bool is_first = before != (i > 0 ? i : path->n) - 1, is_last = after != (i + 1 < path->n ? i + 1 : 0);
         if (is_first && end_matters(m, path->p[i])) ends[t->n_ends++] = (RunEnd){ i, 1 };
         if (is_last && end_matters(m, path->p[i + 1])) ends[t->n_ends++] = (RunEnd){ i + 1, -1 };
@@ -117,7 +118,8 @@ static CellTrim local_trim(const Maker *m, const TrimChain *chain)
 
 static CellList local_list(const Maker *m, const TrimList *l);
 
-/* Appends the trim, unless it has no say in r or the only one: then *settles is true, and the list keeps what is not outside. */
+/* Appends the trim, unless it has no say in r or the only one: then *settles is true, and the list keeps what is not
+ * outside. */
 static void add_trim(const Maker *m, const TrimNode *node, bool keeps_outside, CellTrim *list, int *n, bool *settles)
 {
     CellTrim t = local_trim(m, &node->chain);

@@ -191,8 +191,8 @@ static inline bool counts_whole(const TrimChain *c, int level, int i, WidePoint 
     if (y < box.v0 || y > box.v1 || x > box.u1) return true;
     int a = i * TRIM_GROUP, b = piece_end(c, a, trim_boxes_span(level) * TRIM_GROUP);
     if (x < box.u0) *winding += trim_run_straddles(&c->path, a, b, p);
-    else if (!strip_contains(&c->strip[level][i >> (2 * level)], vec2(x, y))) *winding += straight_winding(&c->path, a, b, p);
-    else return false;
+    else if (strip_contains(&c->strip[level][i >> (2 * level)], vec2(x, y))) return false;
+    else *winding += straight_winding(&c->path, a, b, p);
     return true;
 }
 
@@ -250,8 +250,8 @@ int trim_chain_next(const TrimChain *c, TrimRect r, int from)
     return -1;
 }
 
-/* An arc from the lower left to the upper right keeps clear of r if it passes to the right of r's lower right corner or to the
- * left of the upper left one, both cut to the arc's box; other arcs likewise. */
+/* An arc from the lower left to the upper right keeps clear of r if it passes to the right of r's lower right corner or
+ * to the left of the upper left one, both cut to the arc's box; other arcs likewise. */
 static bool arc_meets_rect(const TrimPath *path, int i, TrimRect r)
 {
     Vec2 a = path->p[i], b = path->p[i + 1];

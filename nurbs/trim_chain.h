@@ -18,8 +18,8 @@ typedef struct { Vec2 axis; double lo[2], hi[2]; } TrimStrip;
 
 bool trim_strips_are_apart(const TrimStrip *s, const TrimStrip *t);   /* true: certainly */
 
-/* n pieces, i goes from p[i] to p[i+1]; n + 1 points, p[n] equal to p[0]. The vertices are p + low, low being what p's rounding
- * left over: 0 but at vertices within a curve. */
+/* n pieces, i goes from p[i] to p[i+1]; n + 1 points, p[n] equal to p[0]. The vertices are p + low, low being what p's
+ * rounding left over: 0 but at vertices within a curve. */
 typedef struct {
     int n;
     const Vec2 *p;
@@ -60,8 +60,8 @@ int trim_chain_winding(const TrimChain *c, WidePoint p);
 /* The first piece i >= from whose box meets r, less those that are known not to meet it themselves; -1: none. */
 int trim_chain_next(const TrimChain *c, TrimRect r, int from);
 
-/* Does piece i meet the closed rectangle? Exact for straight ones; arcs that keep clear of it by less than the spacing of doubles
- * may count as meeting it. */
+/* Does piece i meet the closed rectangle? Exact for straight ones; arcs that keep clear of it by less than the spacing of
+ * doubles may count as meeting it. */
 bool trim_path_meets(const TrimPath *path, int i, TrimRect r);
 
 /* Does a piece meet the closed rectangle? If not, the winding is the same all over it, as trim_chain_winding computes it. */

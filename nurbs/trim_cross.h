@@ -1,5 +1,6 @@
 /* Do trims cross, and how deep? Sharing vertices and edges, touching and near misses are no crossings: what counts is how
- * far a trim gets to the wrong side. All chains here are of straight pieces (trim_flat.h): depths are a matter of tolerance. */
+ * far a trim gets to the wrong side. All chains here are of straight pieces (trim_flat.h): depths are a matter of
+ * tolerance. */
 #ifndef TRIMRAY_TRIM_CROSS_H
 #define TRIMRAY_TRIM_CROSS_H
 

@@ -4,9 +4,9 @@
 
 #include "nurbs/trim_chain.h"
 
-/* How far the polylines are from the trims by which crossings and their depths are judged, of the domain: a tenth of what joints
- * are closed by in silence. A circle as large as the domain becomes some 8,000 points; the number grows with the inverse of
- * the root. Inside tests do not depend on it. */
+/* How far the polylines are from the trims by which crossings and their depths are judged, of the domain: a tenth of what
+ * joints are closed by in silence. A circle as large as the domain becomes some 8,000 points; the number grows with the
+ * inverse of the root. Inside tests do not depend on it. */
 #define TRIM_CHORD 1e-7
 
 typedef struct { Vec2 *p; size_t n, capacity; } TrimPoints;   /* a growing polyline in the unit square */

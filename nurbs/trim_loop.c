@@ -1,5 +1,5 @@
-/* Reading a trim: see trim_loop.h. Each step of trim_strand.h becomes pieces: curves are cut where they turn and where they pass
- * the domain's border; what is outside or along the border becomes straight. */
+/* Reading a trim: see trim_loop.h. Each step of trim_strand.h becomes pieces: curves are cut where they turn and where
+ * they pass the domain's border; what is outside or along the border becomes straight. */
 #include "nurbs/trim_loop.h"
 
 #include <stdlib.h>

@@ -24,9 +24,9 @@ typedef struct {
     TrimFault bridged, clamped;    /* the widest bridge, the farthest point outside: beyond TRIM_SILENT only */
 } TrimLoop;
 
-/* Reads loop `index` of the input: curves cut into monotone arcs, joints closed or bridged, what is outside the domain clamped
- * to it, straight pieces' ends and arcs within TRIM_SILENT of a border put on it, repeated points left out. False: *error says
- * what is beyond the tolerances. The result lies in `a`. */
+/* Reads loop `index` of the input: curves cut into monotone arcs, joints closed or bridged, what is outside the domain
+ * clamped to it, straight pieces' ends and arcs within TRIM_SILENT of a border put on it, repeated points left out.
+ * False: *error says what is beyond the tolerances. The result lies in `a`. */
 bool trim_loop_read(Arena *a, const TrimInput *in, int index, TrimLoop *out, NurbsError *error);
 
 /* Does the loop consist of nothing but pieces of the domain's border? */

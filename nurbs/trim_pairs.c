@@ -1,9 +1,9 @@
 /* Pairs of pieces. See trim_pairs.h.
  *
- * Pieces are shown to be apart by halving them until the boxes of their parts are: as they are monotone, a part's box is that
- * of its ends. Neighbours go out from their vertex into different quadrants, or the halves next to the vertex are
- * looked at again. So that pieces too short to matter do not stand between neighbours, these may have a few of them between
- * them. */
+ * Pieces are shown to be apart by halving them until the boxes of their parts are: as they are monotone, a part's box is
+ * that of its ends. Neighbours go out from their vertex into different quadrants, or the halves next to the vertex are
+ * looked at again. So that pieces too short to matter do not stand between neighbours, these may have a few of them
+ * between them. */
 #include "nurbs/trim_pairs.h"
 
 #include <assert.h>
@@ -106,7 +106,8 @@ static double size_of(const Part *p) { return fmax(fabs(p->b.x - p->a.x), fabs(p
 static void halve(const Part *p, Part *first, Part *second)
 {
     double t = (p->t0 + p->t1) / 2;
-    Vec2 m = p->arc ? wide_point_round(trim_segment_at(p->arc->segment, t)) : vec2((p->a.x + p->b.x) / 2, (p->a.y + p->b.y) / 2);
+    Vec2 m = vec2((p->a.x + p->b.x) / 2, (p->a.y + p->b.y) / 2);
+    if (p->arc) m = wide_point_round(trim_segment_at(p->arc->segment, t));
     *first = *second = *p;
     first->b = second->a = m;
     first->t1 = second->t0 = t;

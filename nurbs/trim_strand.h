@@ -24,9 +24,9 @@ typedef struct {
     double moved;                 /* the farthest that an end was moved by, at most TRIM_SILENT */
 } TrimSteps;
 
-/* Reads loop `index` of the input. Ends of strands within TRIM_SILENT of a border are put on it; joints are closed by their
- * midpoint or bridged, the curves' ends moved with them. The widest bridge goes to *bridged. False: *error says why; its place
- * in the input is set by the caller, but for the curve. */
+/* Reads loop `index` of the input. Ends of strands within TRIM_SILENT of a border are put on it; joints are closed by
+ * their midpoint or bridged, the curves' ends moved with them. The widest bridge goes to *bridged. False: *error says
+ * why; its place in the input is set by the caller, but for the curve. */
 bool trim_steps_read(Arena *a, const TrimInput *in, int index, TrimSteps *out, TrimFault *bridged, NurbsError *error);
 
 #endif

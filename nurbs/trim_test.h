@@ -30,9 +30,9 @@ struct TrimTree {
     bool keep_left;              /* as TrimInput had it */
 };
 
-/* The domain's border is met by points a hair inside it, so that trims that run along the border let the border be. This is
- * how far inside, of the domain: at the upper ends the least that a double can tell, at the lower ends so little that no curve
- * is between, and enough that products do not underflow. */
+/* The domain's border is met by points a hair inside it, so that trims that run along the border let the border be. This
+ * is how far inside, of the domain: at the upper ends the least that a double can tell, at the lower ends so little that
+ * no curve is between, and enough that products do not underflow. */
 #define TRIM_INSET_LOW 0x1p-100
 #define TRIM_INSET_HIGH 0x1p-53
 

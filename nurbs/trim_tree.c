@@ -91,8 +91,8 @@ static bool add_trim(Builder *b, const TrimLoop *l)
     return judge(b, l->index, l->index, self_crossing(b, &node->chain, l->area > 0));
 }
 
-/* A loop that goes round nothing says nothing, but for one whose parts cancel: whichever direction is taken for its own, some are
- * wrong. */
+/* A loop that goes round nothing says nothing, but for one whose parts cancel: whichever direction is taken for its own,
+ * some are wrong. */
 static bool check_thin(Builder *b, const TrimLoop *l)
 {
     TrimChain chain = trim_chain_make(b->scratch, &l->path);

@@ -1,5 +1,5 @@
-/* The trims of one surface: loops in the (u, v) plane, their hierarchy by containment and the keep rule ([MCFS00] section 3).
- * Knows the domain, not the surface. */
+/* The trims of one surface: loops in the (u, v) plane, their hierarchy by containment and the keep rule ([MCFS00] section
+ * 3). Knows the domain, not the surface. */
 #ifndef TRIMRAY_TRIM_TREE_H
 #define TRIMRAY_TRIM_TREE_H
 

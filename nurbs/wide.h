@@ -1,9 +1,9 @@
-/* Numbers of twice the precision of a double: the unevaluated sum of two, |lo| <= ulp(hi) / 2. For the few places where
- * a decision must be that of exact arithmetic. [JMP17] M. Joldes, J.-M. Muller, V. Popescu, Tight and Rigorous Error Bounds for
- * Basic Building Blocks of Double-Word Arithmetic, ACM TOMS 44(2), 2017.
+/* Numbers of twice the precision of a double: the unevaluated sum of two, |lo| <= ulp(hi) / 2. For the few places where a
+ * decision must be that of exact arithmetic. [JMP17] M. Joldes, J.-M. Muller, V. Popescu, Tight and Rigorous Error Bounds
+ * for Basic Building Blocks of Double-Word Arithmetic, ACM TOMS 44(2), 2017.
  *
- * Sums and products err by less than 2^-103 of themselves (their algorithms 6 and 12: 3 u^2 and 5 u^2, u = 2^-53), as long
- * as nothing under- or overflows. Not for files that are compiled with contraction. */
+ * Sums and products err by less than 2^-103 of themselves (their algorithms 6 and 12: 3 u^2 and 5 u^2, u = 2^-53), as
+ * long as nothing under- or overflows. Not for files that are compiled with contraction. */
 #ifndef TRIMRAY_WIDE_H
 #define TRIMRAY_WIDE_H
 
@@ -51,8 +51,8 @@ static inline Wide wide_mul(Wide a, Wide b)                         /* [JMP17] D
     return wide_fast_sum(c.hi, c.lo + t);
 }
 
-/* The quotient of the first parts, corrected once; the rest is exact but for 2 roundings of its smaller part. Errs by less than
- * 2^-100 of itself. */
+/* The quotient of the first parts, corrected once; the rest is exact but for 2 roundings of its smaller part. Errs by
+ * less than 2^-100 of itself. */
 static inline Wide wide_div(Wide a, Wide b)
 {
     double q = a.hi / b.hi, rest = fma(-q, b.hi, a.hi) + (a.lo - q * b.lo);

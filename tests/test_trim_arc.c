@@ -1,5 +1,5 @@
-/* Decisions beside curves against exact rational arithmetic: the truth takes the doubles of the scene as they are, and shares
- * no code with nurbs/. */
+/* Decisions beside curves against exact rational arithmetic: the truth takes the doubles of the scene as they are, and
+ * shares no code with nurbs/. */
 #include "tests/test.h"
 
 #include "nurbs/basis.h"
@@ -131,8 +131,8 @@ static int common_sign(const mpz_t c[], int k)
     return sign;
 }
 
-/* How often the curve passes the ray from the point towards +u, upward as +1; *is_on: the point is on it, as far as 200 halvings
- * tell. */
+/* How often the curve passes the ray from the point towards +u, upward as +1; *is_on: the point is on it, as far as 200
+ * halvings tell. */
 static int exact_crossings(const Whole *e, int halvings, bool *is_on)
 {
     int k = e->k, sign = common_sign(e->x, k);
@@ -234,13 +234,15 @@ static int judge_points(const TrimLoopDesc *loop, bool is_clockwise, TrimRect do
     int n_close = 0;
     for (int i = 0; i < n_points; i++) {
         double t = test_range(r, from, to), angle = test_range(r, 0, 7), off = pow(10, test_range(r, -17, -12));
-        if (i % 4 == 0) t = c->knots[test_int(r, c->order - 1, c->n)] + test_range(r, -1, 1) * pow(10, test_range(r, -17, -2));
+        double beside = test_range(r, -1, 1) * pow(10, test_range(r, -17, -2));
+        if (i % 4 == 0) t = c->knots[test_int(r, c->order - 1, c->n)] + beside;
         Vec2 p = point_of(c, fmin(fmax(t, from), to));
         p = vec2(p.x + off * cos(angle) * (domain.u1 - domain.u0), p.y + off * sin(angle) * (domain.v1 - domain.v0));
         bool is_on, unused;
         int winding = exact_winding(loop, p, &is_on);
         bool is_right = trim_keeps(m.tree, p.x, p.y) == (winding != 0);
-        CHECK(is_right || is_on || is_as_good_as_on(loop, p, winding), "seed %u: (%.17g, %.17g) off %g", seed, p.x, p.y, off);
+        CHECK(is_right || is_on || is_as_good_as_on(loop, p, winding), "seed %u: (%.17g, %.17g) off %g", seed, p.x, p.y,
+              off);
         n_close += exact_winding(loop, vec2(nextafter(p.x, 1e9), p.y), &unused) != winding
                 || exact_winding(loop, vec2(p.x, nextafter(p.y, 1e9)), &unused) != winding;
     }
@@ -281,15 +283,15 @@ static void the_domain_and_its_scaling_do_not_blur_the_edge(void **state)
     CHECK(n_close > 60, "only %d points at the very edge", n_close);
 }
 
-/* A closed curve of order k whose control polygon, and so itself, is passed at most twice by any line through the middle: simple.
- * Any knots, weights over some decades. */
+/* A closed curve of order k whose control polygon, and so itself, is passed at most twice by any line through the middle:
+ * simple. Any knots, weights over some decades. */
 static TrimLoopDesc random_ring(Arena *a, TestRandom *r, int k)
 {
     int n = k + test_int(r, 4, 10);
     double *knots = ARENA_ARRAY(a, double, n + k), t = 0;
     Vec3 *points = ARENA_ARRAY(a, Vec3, n);
     for (int i = 0; i < n + k; i++) {
-        if (i >= k && i <= n) t += i == n || test_int(r, 0, 3) ? test_int(r, 1, 16) / 16. : 0;   /* short fractions: a fast truth */
+        if (i >= k && i <= n) t += i == n || test_int(r, 0, 3) ? test_int(r, 1, 16) / 16. : 0;   /* short: a fast truth */
         knots[i] = t;
     }
     for (int i = 0; i < n; i++) {
@@ -354,7 +356,8 @@ static void a_common_curve_leaves_no_gap(void **state)
         TrimCurveDesc curve = { .order = 4, .n = 4, .knots = knots, .points = up };
         for (int i = 0; i < 500; i++) {
             Vec2 p = point_of(&curve, i % 10 ? test_unit(&r) : test_int(&r, 1, 7) / 8.);
-            CHECK(trim_keeps(m[0].tree, p.x, p.y) != trim_keeps(m[1].tree, p.x, p.y), "seed %u: (%.17g, %.17g)", seed, p.x, p.y);
+            bool first = trim_keeps(m[0].tree, p.x, p.y), second = trim_keeps(m[1].tree, p.x, p.y);
+            CHECK(first != second, "seed %u: (%.17g, %.17g)", seed, p.x, p.y);
         }
         arena_free(a);
     }
@@ -362,7 +365,8 @@ static void a_common_curve_leaves_no_gap(void **state)
 
 /* ---- turns ---- */
 
-/* The polynomial with the given roots, in Bernstein form: multiplied by (t - root) = -root (1-t) + (1 - root) t, one by one. */
+/* The polynomial with the given roots, in Bernstein form: multiplied by (t - root) = -root (1-t) + (1 - root) t, one by
+ * one. */
 static int polynomial_of(const double *root, int n, double c[])
 {
     c[0] = 1;

@@ -13,7 +13,8 @@ static TrimTree *random_tree(Arena *a, TestRandom *r, int n_side, bool is_clockw
         Vec2 centre = vec2((i % n_side + .5) / n_side, (i / n_side + .5) / n_side);
         double radius = test_range(r, .3, .49) / n_side, turn = test_range(r, 0, 7);
         if (test_int(r, 0, 3) == 0) {
-            loops[n++] = rectangle(a, centre.x - radius, centre.x + radius, centre.y - radius, centre.y + radius, is_clockwise);
+            loops[n++] = rectangle(a, centre.x - radius, centre.x + radius, centre.y - radius, centre.y + radius,
+                                   is_clockwise);
         } else {
             loops[n++] = turned_circle(a, centre, radius, turn, is_clockwise);
         }

@@ -108,6 +108,7 @@ static Model read_solid(const Closed *c)
         .nurbs = { .method = NURBS_METHOD_CERTAIN } });
     CHECK(m.read.is_ok && m.read.scene->n_objects == 1, "%s\n%s", c->text, m.read.messages);
     object_transform(m.read.scene->objects[0], &m.turn);     /* no seam lies along an axis of the rays */
+    scene_prepare(m.read.scene);
     m.object = m.read.scene->objects[0];
     return m;
 }

@@ -8,9 +8,9 @@
 
 #include "nurbs/trim_test.h"
 
-/* More pieces than this in one rectangle are left to the chain's own tree: its strips part the needles of a gear, and a list
- * for each of many rectangles would grow without bound. */
-#define MAX_PIECES 64
+/* More pieces than this in one rectangle are left to the chain's own tree: then that is faster than a list, its strips
+ * part the needles of a gear, and lists for each of many rectangles would grow without bound. */
+#define MAX_PIECES 16
 
 /* An end of a run, to the right of the rectangle: `counts` while it is above p. */
 typedef struct { int vertex, counts; } RunEnd;

@@ -68,17 +68,18 @@ static void border_distance(const Line *l, Quad s0, Quad s1, Quad *least, Quad *
     }
 }
 
+typedef struct { Quad s, lo, hi; } Event;
+
 /* The distance to a trim's edge is known in local coordinates only: the band there is what the map makes of it at most. */
-static void kept_distance(const Line *l, Quad s0, Quad s1, Quad *least, Quad *most)
+static void kept_distance(const Line *l, const Event *e, Quad *least, Quad *most)
 {
     const QuadMap *m = &l->f->to_local;
     Quad stretch = quad_max(quad3_length(m->x), quad_max(quad3_length(m->y), quad3_length(m->z))) * 2;
-    Quad a = l->f->kept(l->f->kept_context, line_at(l, s0)) / stretch;
-    Quad b = l->f->kept(l->f->kept_context, line_at(l, s1)) / stretch;
-    *least = quad_min(*least, quad_min(a, b)), *most = quad_min(*most, quad_max(a, b));
+    Quad a = l->f->kept(l->f->kept_context, line_at(l, e->lo)) / stretch;
+    Quad b = l->f->kept(l->f->kept_context, line_at(l, e->s)) / stretch;   /* slivers may lie between the ends */
+    Quad c = l->f->kept(l->f->kept_context, line_at(l, e->hi)) / stretch;
+    *least = quad_min(*least, quad_min(a, quad_min(b, c))), *most = quad_min(*most, quad_max(a, quad_max(b, c)));
 }
-
-typedef struct { Quad s, lo, hi; } Event;
 
 static Event root_event(const Line *l, Quad s, const Quad *critical, int n_critical)
 {
@@ -94,7 +95,7 @@ static void add_event(const Line *l, const Event *e, Quad t_centre, Quad t_unit,
 {
     Quad least, most;
     border_distance(l, e->lo, e->hi, &least, &most);
-    if (l->f->kept) kept_distance(l, e->lo, e->hi, &least, &most);
+    if (l->f->kept) kept_distance(l, e, &least, &most);
     if (most < -l->band) return;
     bool is_odd = (poly_at(&l->g, e->lo) < 0) != (poly_at(&l->g, e->hi) < 0);
     truth_add(out, (TruthRoot){ (long double)(t_centre + e->s * t_unit), (long double)(t_centre + e->lo * t_unit),

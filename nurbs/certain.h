@@ -8,7 +8,7 @@
 #include "render/bvh.h"
 
 typedef struct {
-    Vec3 base;                       /* what is below is relative to this point: a surface far from the origin loses nothing */
+    Vec3 base;                       /* what is below is about this point: far from the origin nothing is lost */
     const Patch *patches;
     const TrimCell *const *cells;    /* what the trims say in each patch; NULL: it is wholly kept */
     uint32_t n_patches;
@@ -19,9 +19,9 @@ typedef struct {
 /* The certificate then holds for all rays but those within some asin(0.35) of the patch's tangent planes. */
 #define CERTAIN_VARIATION 0.35
 
-/* Cuts the surface into patches whose frames settle most rays, drops those that are trimmed away, and builds the tree. A patch
- * is halved until its derivatives vary by at most `variation` of themselves; 0: CERTAIN_VARIATION. Hits depend on it in their
- * last bits only, time and memory do. The result lies in `a`. Linear in the number of spans. */
+/* Cuts the surface into patches whose frames settle most rays, drops those that are trimmed away, and builds the tree. A
+ * patch is halved until its derivatives vary by at most `variation` of themselves; 0: CERTAIN_VARIATION. Hits depend on it
+ * in their last bits only, time and memory do. The result lies in `a`. Linear in the number of spans. */
 void certain_prepare(Arena *a, const Surface *surface, double variation, PatchTree *out);
 
 typedef struct {

@@ -9,8 +9,8 @@
  *
  * At most one root: on a convex domain F(x) - F(y) = (J_m + E)(x - y) with E an average of J - J_m. If |J_m^-1 E| < 1 this
  * vanishes only for x = y. The Frobenius norm of J_m^-1 is |J_m|/|det|, the one of E at most `variation` (N1, N2 are
- * orthonormal, so projecting shortens): the test is |J_m| variation < |det|. It holds on the patch with its margin, so that a
- * root in the margin proves that the patch itself has none. */
+ * orthonormal, so projecting shortens): the test is |J_m| variation < |det|. It holds on the patch with its margin, so that
+ * a root in the margin proves that the patch itself has none. */
 #include "nurbs/certify.h"
 
 #include "nurbs/clip.h"
@@ -39,9 +39,9 @@ PatchRay patch_ray(Vec3 origin, Vec3 dir, double t_min, double t_max)
 
 double patch_rounding(const Patch *p, Vec3 offset)
 {
-    /* Every coordinate of S is a convex combination of points no longer than the radius: 2 (k_u + k_v) + 4 roundings, relative
-     * to it; N.S and N.o add 3 each, N itself is off by 4. All of them relative to the largest term, hence the maximum norm
-     * times 3 for a dot product of three terms. */
+    /* Every coordinate of S is a convex combination of points no longer than the radius: 2 (k_u + k_v) + 4 roundings,
+     * relative to it; N.S and N.o add 3 each, N itself is off by 4. All of them relative to the largest term, hence the
+     * maximum norm times 3 for a dot product of three terms. */
     double n = 2 * (p->k_u + p->k_v) + 16;
     return p->rounding + 0.5 * DBL_EPSILON * n * (p->radius + fabs(offset.x) + fabs(offset.y) + fabs(offset.z));
 }
@@ -75,11 +75,13 @@ ALWAYS_INLINE Vec3 xyz(V4 p) { return vec(p[0], p[1], p[2]); }
 ALWAYS_INLINE bool report(const Solve *k, RootVisit visit, void *context)
 {
     V4 h = k->last.value + k->last.by_s * k->ds + k->last.by_t * k->dt;
-    double depth = vec_dot(k->r->d, vec_sub(vec_scale(xyz(h), 1 / h[3]), k->o));
+    Vec3 at = vec_scale(xyz(h), 1 / h[3]);
+    double depth = vec_dot(k->r->d, vec_sub(at, k->o));
     if (!(depth > k->r->t_min && depth < k->r->t_max)) return false;
     /* |J^-1| times the rounding, times how fast the depth changes along the surface */
-    double slope = fabs(vec_dot(k->r->d, xyz(k->last.by_s))) * length2(k->j12, k->j22)
-                 + fabs(vec_dot(k->r->d, xyz(k->last.by_t))) * length2(k->j11, k->j21);
+    double along_s = vec_dot(k->r->d, vec_sub(xyz(k->last.by_s), vec_scale(at, k->last.by_s[3])));
+    double along_t = vec_dot(k->r->d, vec_sub(xyz(k->last.by_t), vec_scale(at, k->last.by_t[3])));
+    double slope = fabs(along_s) * length2(k->j12, k->j22) + fabs(along_t) * length2(k->j11, k->j21);
     Root root = { .s = clamped(k->s, 0, 1), .t = clamped(k->t, 0, 1), .depth = depth, .distance = 2 * k->rounding,
                   .depth_error = k->rounding * (1 + slope / fabs(k->det)) };
     return visit(context, k->p, k->r, &root);
@@ -99,21 +101,26 @@ ALWAYS_INLINE NewtonResult place_of_root(const Solve *k)
     return is_in ? NEWTON_INSIDE : NEWTON_OUTSIDE;
 }
 
-/* Is it certain, from the Newton step (ds, dt) at (s, t), that the patch has no root? Let J = J_m (I + E_2) here and J_m (I +
- * E_1) on average on the way to a root x*: both |E| <= q in the frame's norm. Then x* - x = (I + E_1)^-1 (I + E_2) step, so x* is
- * within 2q/(1-q) |step| of x + step; if that is nearer than the patch, there is no such root. */
+/* Makes up for the rounding of a bound that is computed by some ten operations. */
+#define ROUNDED_UP 1.0001
+
+/* Is it certain, from the Newton step (ds, dt) at (s, t), that the patch has no root? Let J = J_m (I + E_2) here and J_m (I
+ * + E_1) on average on the way to a root x*: both |E| <= q in the frame's norm. Then x* - x = (I + E_1)^-1 (I + E_2) step,
+ * so x* is within 2q/(1-q) |step| of x + step; if that is nearer than the patch, there is no such root. */
 ALWAYS_INLINE bool proves_miss(const Solve *k, double ds, double dt)
 {
     const Patch *p = k->p;
     double s = k->s + ds, t = k->t + dt;
-    double out_s = 2 * p->half_u * double_max(double_max(-s, s - 1), 0), out_t = 2 * p->half_v * double_max(double_max(-t, t - 1), 0);
+    double out_s = 2 * p->half_u * double_max(double_max(-s, s - 1), 0);
+    double out_t = 2 * p->half_v * double_max(double_max(-t, t - 1), 0);
     double step_s = 2 * p->half_u * ds, step_t = 2 * p->half_v * dt, reach = 2 * k->contraction / (1 - k->contraction);
-    return out_s * out_s + out_t * out_t > 1.0001 * reach * reach * (step_s * step_s + step_t * step_t);
+    return out_s * out_s + out_t * out_t > ROUNDED_UP * reach * reach * (step_s * step_s + step_t * step_t);
 }
 
-/* The same from F at (s, t), where steps are clamped to the square with its margin. G(x) = x - J_m^-1 F(x) contracts with q, and so
- * does PG, P the clamping, which lengthens nothing: a root x* in the square has |x* - x| <= |PG(x) - x| / (1 - q), and |G(x) - x| <=
- * (1 + q) |x* - x|. (Lengths are in space; the numerator's F is over the weight at the middle, as its derivatives there.) */
+/* The same from F at (s, t), where steps are clamped to the square with its margin. G(x) = x - J_m^-1 F(x) contracts with q,
+ * and so does PG, P the clamping, which lengthens nothing: a root x* in the square has |x* - x| <= |PG(x) - x| / (1 - q),
+ * and |G(x) - x| <= (1 + q) |x* - x|. (Lengths are in space; the numerator's F is over the weight at the middle, as its
+ * derivatives there.) */
 ALWAYS_INLINE bool proves_miss_by_clamping(const Solve *k, double f1, double f2)
 {
     const Patch *p = k->p;
@@ -122,7 +129,7 @@ ALWAYS_INLINE bool proves_miss_by_clamping(const Solve *k, double f1, double f2)
     double p_s = u * (clamped(k->s + g_s / u, -PATCH_MARGIN, 1 + PATCH_MARGIN) - k->s);
     double p_t = v * (clamped(k->t + g_t / v, -PATCH_MARGIN, 1 + PATCH_MARGIN) - k->t);
     double least = (1 + k->contraction) / (1 - k->contraction);
-    return g_s * g_s + g_t * g_t > 1.0001 * least * least * (p_s * p_s + p_t * p_t);
+    return g_s * g_s + g_t * g_t > ROUNDED_UP * least * least * (p_s * p_s + p_t * p_t);
 }
 
 /* From (s, t) to the root of F in the patch with its margin, if there is one. */
@@ -146,7 +153,8 @@ ALWAYS_INLINE NewtonResult newton(Solve *k, Trace *trace)
     return NEWTON_UNDECIDED;
 }
 
-/* The columns of the frame's Jacobian are at most 1 long: a determinant below this proves nothing, and squares under it vanish. */
+/* The columns of the frame's Jacobian are at most 1 long: a determinant below this proves nothing, and squares under it
+ * vanish. */
 #define NO_ANGLE 0x1p-400
 
 typedef enum { FRAME_MISS, FRAME_ONE_AT_MOST, FRAME_UNDECIDED } FrameResult;
@@ -165,7 +173,7 @@ ALWAYS_INLINE FrameResult frame_test(Solve *k)
     if (fabs(x_t) > p->half_v * det + sqrt(column_u2) * slack) return FRAME_MISS;
     k->m11 = k->j11, k->m12 = k->j12, k->m21 = k->j21, k->m22 = k->j22, k->m_det = k->det;
     k->contraction = sqrt(column_u2 + column_v2) * p->variation / det;
-    if (!(k->contraction < 0.98)) return FRAME_UNDECIDED;
+    if (!(k->contraction < CONTRACTION)) return FRAME_UNDECIDED;
     const double lo = -PATCH_MARGIN, hi = 1 + PATCH_MARGIN;
     k->s = clamped(0.5 + 0.5 * x_s / (k->det * p->half_u), lo, hi);
     k->t = clamped(0.5 + 0.5 * x_t / (k->det * p->half_v), lo, hi);

@@ -19,6 +19,10 @@ typedef struct {
     double guess_s, guess_t;
 } PatchRay;
 
+/* A norm that proves one root must be below 1; this leaves room for its own rounding and for a useful bound on the way
+ * there. */
+#define CONTRACTION 0.98
+
 PatchRay patch_ray(Vec3 origin, Vec3 dir, double t_min, double t_max);    /* dir: unit */
 
 typedef struct {

@@ -4,9 +4,11 @@
  *
  * Rounding. The first net is exact within `rounding` (certify.h) times the weights. Restricting to a box is a convex
  * combination whose own error is relative to the coefficients there, which shrink at least with the box: the errors of all
- * levels together stay within half of what `rounding` allows for. So a hull that excludes zero by more than SLACK times that excludes a root.
+ * levels together stay within half of what `rounding` allows for. So a hull that excludes zero by more than SLACK times that
+ * excludes a root.
  *
- * Memory comes from the thread's scratch arena, with marks: the depth of the recursion is at most 2 * MAX_HALVINGS. */
+ * Memory comes from the thread's scratch arena, with marks; the recursion is some 100 deep at most: both
+ * sides of a box are halved until they are MIN_WIDTH. */
 #include "nurbs/clip.h"
 
 #include "nurbs/nurbs.h"
@@ -17,14 +19,14 @@
 
 #define SLACK 1.5
 #define ON_THE_RAY 1.25      /* a box whose coefficients are within that many errors of zero cannot be told from the ray */
-/* A box on the ray that is longer than this, in radii of the patch, is no tangent point (those are some 2^-26 long, 2^-17 at a
- * cusp): the ray runs in the surface there, and the hit is where it enters. Boxes that a trim declines are not cut up without
- * end. */
+/* A box on the ray that is longer than this, in radii of the patch, is no tangent point (those are some 2^-26 long, 2^-17 at
+ * a cusp): the ray runs in the surface there, and the hit is where it enters. Boxes that a trim declines are not cut up
+ * without end. */
 #define IN_THE_SURFACE 0x1p-8
 enum { MAX_DECLINED = 64 };
-/* Boxes of one search. Tangencies take some hundred; a search that goes on is among roots that no visitor takes as the nearest,
- * on a surface that keeps to the ray within a few roundings: then each box has one point of it reported, or none if Newton's
- * method finds none. */
+/* Boxes of one search. Tangencies take some hundred; a search that goes on is among roots that no visitor takes as the
+ * nearest, on a surface that keeps to the ray within a few roundings: then each box has one point of it reported, or none if
+ * Newton's method finds none. */
 enum { PATIENCE = 1 << 15 };
 #define MIN_CLIP 0.8         /* a clip that leaves more than this of both sides is followed by a halving: the 20 % rule */
 #define MIN_WIDTH 0x1p-50    /* of the patch: parameters closer than that are one */
@@ -188,7 +190,9 @@ static bool is_on_ray(const Clip *k, const Net *n)
     return residual2(&at) <= 4 * k->rounding * k->rounding;
 }
 
-/* A box with at most one root: Newton's method from its middle, if it ends well inside. Else clipping goes on. */
+/* (certify.c's Newton may leave the patch by its margin; this one may not leave the certified box; polish() has no
+ * certificate and only goes downhill.) A box with at most one root: Newton's method from its middle, if it ends well inside.
+ * Else clipping goes on. */
 static bool finish(const Clip *k, const Net *n, Place *root)
 {
     *root = place_at(k, 0.5 * (n->s0 + n->s1), 0.5 * (n->t0 + n->t1));
@@ -211,9 +215,9 @@ static bool runs_in_surface(const Clip *k, Net *n, Range depth)
     return n->is_in_surface && length > 4 * k->rounding;
 }
 
-/* Where the convex hull of the points (i / (k-1), lo_i) and (i / (k-1), hi_i) meets zero, as an interval of [0, 1]; empty: lo >
- * hi. Its ends lie on segments from a point above to one below; the ones that start at the lower of two points above, or end
- * at the upper of two below, reach furthest. */
+/* Where the convex hull of the points (i / (k-1), lo_i) and (i / (k-1), hi_i) meets zero, as an interval of [0, 1]; empty:
+ * lo > hi. Its ends lie on segments from a point above to one below; the ones that start at the lower of two points above,
+ * or end at the upper of two below, reach furthest. */
 static Range hull_meets_zero(const double *lo, const double *hi, int k)
 {
     Range x = { INFINITY, -INFINITY };
@@ -282,8 +286,8 @@ static bool is_empty(const Clipped *c) { return c->s.lo > c->s.hi || c->t.lo > c
 
 static Range meet(Range a, Range b) { return (Range){ double_max(a.lo, b.lo), double_min(a.hi, b.hi) }; }
 
-/* g = m1 a + m2 b, in scratch memory. The error of (a, b) is that of a point in space, seen along two perpendicular directions:
- * its length is within `error`, so that of g is within error * hypot(m1, m2). */
+/* g = m1 a + m2 b, in scratch memory. The error of (a, b) is that of a point in space, seen along two perpendicular
+ * directions: its length is within `error`, so that of g is within error * hypot(m1, m2). */
 static double *combine(const Clip *k, const Net *n, double m1, double m2)
 {
     double *g = ARENA_ARRAY(k->trace->scratch, double, k->n);
@@ -313,13 +317,13 @@ static Clipped clip_by_inverse(const Clip *k, Net *n, const Mean *m, double erro
         double ss, st, ts, tt;
         derivative_spread(k, g1, 1, 0, &ss, &st);
         derivative_spread(k, g2, 0, 1, &ts, &tt);
-        n->is_certified = ss + st < 0.98 && ts + tt < 0.98;
+        n->is_certified = ss + st < CONTRACTION && ts + tt < CONTRACTION;
     }
     return out;
 }
 
-/* Where the Jacobian has no inverse to speak of, the box's image is a needle: (a, b) is turned so that one component runs along
- * it and the other across, which shows at once whether the needle passes zero. A turn does not enlarge the error. */
+/* Where the Jacobian has no inverse to speak of, the box's image is a needle: (a, b) is turned so that one component runs
+ * along it and the other across, which shows at once whether the needle passes zero. A turn does not enlarge the error. */
 static Clipped clip_by_turning(const Clip *k, const Net *n, const Mean *m, double error)
 {
     double aa = m->a_s * m->a_s + m->a_t * m->a_t, bb = m->b_s * m->b_s + m->b_t * m->b_t;
@@ -329,8 +333,8 @@ static Clipped clip_by_turning(const Clip *k, const Net *n, const Mean *m, doubl
                       meet(clip_range(k, along, error, false), clip_range(k, across, error, false)) };
 }
 
-/* The determinant in shares of |J_s| |J_t|: below the first, it is mostly rounding, and there is no inverse; below the second,
- * an inverse that does not certify the box is helped by turning. */
+/* The determinant in shares of |J_s| |J_t|: below the first, it is mostly rounding, and there is no inverse; below the
+ * second, an inverse that does not certify the box is helped by turning. */
 #define NO_INVERSE 0x1p-46
 #define NEEDLE 0x1p-20
 

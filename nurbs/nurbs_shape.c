@@ -75,7 +75,8 @@ static void certain_shape_attributes(const Shape *s, const Ray *r, const Hit *h,
 
 static const ShapeType certain_type = {
     .name = "trimmed_nurbs", .bounds = nurbs_bounds, .prepare = certain_shape_prepare, .hit = certain_shape_hit,
-    .blocks = certain_shape_blocks, .all_hits = certain_shape_all_hits, .attributes = certain_shape_attributes, .tessellate = nurbs_tessellate,
+    .blocks = certain_shape_blocks, .all_hits = certain_shape_all_hits,
+    .attributes = certain_shape_attributes, .tessellate = nurbs_tessellate,
 };
 
 /* ---- method paper ---- */

@@ -3,7 +3,8 @@
  * deviation   bounds the distance between the patch and the parallelogram of its derivatives at the middle. With L the
  *             parallelogram's map, w (S - L) is a polynomial of one degree more in s and in t; its Bernstein coefficients
  *             bound it ([Far02] convex hull property), the least weight bounds w.
- * variation   bounds how far the Jacobian of a ray's two plane equations moves from the one at the middle (see certify.c). */
+ * variation   bounds how far the Jacobian of a ray's two plane equations moves from the one at the middle (see
+ * certify.c). */
 #include "nurbs/patch.h"
 
 #include "nurbs/patch_kernel.h"
@@ -101,7 +102,7 @@ static void bound_variation(Arena *scratch, Patch *p, Vec3 by_s, Vec3 by_t)
 }
 
 /* Coefficient (i, j) of a tensor product polynomial times (u0 (1-s) + u1 s) (v0 (1-t) + v1 t), one order more in both: the
- * Bernstein product formula, [Far02]. c has four components a point; those that do not exist count as zero. */
+ * Bernstein product formula, [Far02]. Points have four components; those beyond the net count as zero. */
 static Vec4 product_coefficient(const Patch *p, int i, int j, double u0, double u1, double v0, double v1)
 {
     Vec4 sum = { 0 };

@@ -1,8 +1,8 @@
 /* A rational Bézier patch about its own origin, with what decides most rays at sight: the leaf of `method certain`.
  *
  * Parameters here are local: s, t in [0, 1] over the patch; u = u0 + s (u1 - u0), v likewise. Points are homogeneous
- * {w(x - ox), w(y - oy), w(z - oz), w} about origin = S(1/2, 1/2), so that nothing cancels later when the patch lies far from
- * the origin of the scene. */
+ * {w(x - ox), w(y - oy), w(z - oz), w} about origin = S(1/2, 1/2), so that nothing cancels later when the patch lies far
+ * from the origin of the scene. */
 #ifndef TRIMRAY_PATCH_H
 #define TRIMRAY_PATCH_H
 
@@ -22,7 +22,7 @@ typedef struct {
     const Vec4 *p;                /* k_u * k_v points, u fastest */
     bool is_polynomial;           /* every w is 1 */
     double u0, u1, v0, v1;        /* its interval of the surface's parameters */
-    double rounding;              /* its points, and so the patch, are at most this far from where exact arithmetic has them */
+    double rounding;              /* how far its points may be from where exact arithmetic has them */
     double radius;                /* |S(s, t) - origin| <= radius, with the margin */
     double w_max, w_middle;       /* largest weight, and the weight at the middle (1 where is_polynomial) */
 
@@ -36,8 +36,8 @@ typedef struct {
     double variation;
 } Patch;
 
-/* Fills *out from k_u * k_v homogeneous points {wx, wy, wz, w} of positive weight, u fastest; the points are copied. `rounding`
- * is their error: patches that share a border agree within theirs, and no ray passes between. */
+/* Fills *out from k_u * k_v homogeneous points {wx, wy, wz, w} of positive weight, u fastest; the points are copied.
+ * `rounding` is their error: patches that share a border agree within theirs, and no ray passes between. */
 void patch_make(Arena *a, int k_u, int k_v, const Vec4 *points, double rounding, TrimRect interval, Patch *out);
 
 /* Before it is worth a frame: about how much `variation` would be, and the shares of it that halving along u, along v would

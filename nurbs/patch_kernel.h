@@ -1,5 +1,5 @@
-/* The inner loop of `method certain`: a patch and its derivatives at a point, inlined into its callers so that it is compiled
- * for their instruction set. Four lanes: x, y, z, w of a homogeneous point. */
+/* The inner loop of `method certain`: a patch and its derivatives at a point, inlined into its callers so that it is
+ * compiled for their instruction set. Four lanes: x, y, z, w of a homogeneous point. */
 #ifndef TRIMRAY_PATCH_KERNEL_H
 #define TRIMRAY_PATCH_KERNEL_H
 

@@ -3,10 +3,11 @@
  *
  * Nothing that the ray meets in exact arithmetic is turned away. The ray is moved to where it enters the tree, and scaled so
  * that its largest component is 1, both in double precision: its origin o is then as large as the tree's coordinates M. A
- * plane x is met at t = x/d - o/d, computed in single precision as x*inverse + shift: two roundings of the first term, two of
- * the second, one of the sum, each within 2^-24 of (M + |o|)/|d|; twice the sum, 2^-21 of that, is added to the far side and
- * taken from the near side through `shift`. What moving the origin rounds, 2^-52 of the distances in the ray's own units, is
- * added to it. Components under 2^-60 count as that: the slab is then met earlier and left later than any t in the tree. */
+ * plane x is met at t = x/d - o/d, computed in single precision as x*inverse + shift: two roundings of the first term, two
+ * of the second, one of the sum, each within 2^-24 of (M + |o|)/|d|; twice the sum, 2^-21 of that, is added to the far side
+ * and taken from the near side through `shift`. What moving the origin rounds, 2^-52 of the distances in the ray's own
+ * units, is added to it. Components under 2^-60 count as that: the slab is then met earlier and left later than any t in the
+ * tree. */
 #include "render/bvh_wide.h"
 
 #include "render/simd.h"
@@ -15,7 +16,7 @@
 
 #define WIDTH 8
 #define IS_ITEM 0x80000000u
-#define STACK_SIZE (64 * (WIDTH - 1) + WIDTH)     /* the binary tree is at most 64 deep, and collapsing makes no tree deeper */
+#define STACK_SIZE (64 * (WIDTH - 1) + WIDTH)     /* no deeper than the binary tree: 64 */
 #define TINY 0x1p-60
 
 typedef struct {
@@ -116,7 +117,8 @@ static void use_slabs(const Ray *r, Trace *t)
     }
 }
 
-static inline void prepare_axis(WideRay *w, int k, double o, double inverse, double largest, double rounding, double diagonal)
+static inline void prepare_axis(WideRay *w, int k, double o, double inverse, double largest, double rounding,
+                                double diagonal)
 {
     double slack = fabs(inverse) * ((fabs(o) + largest) * 0x1p-21 + rounding);
     if (fabs(inverse) >= 1 / TINY) slack += 4 * diagonal;
@@ -126,8 +128,8 @@ static inline void prepare_axis(WideRay *w, int k, double o, double inverse, dou
     w->near_side[k] = signbit(inverse) != 0;
 }
 
-/* Where the ray enters the tree; false: it does not, before t_max. An origin that is no farther away than NEAR times the tree's
- * coordinates stays where it is: the boxes then swell by NEAR 2^-21 of those. */
+/* Where the ray enters the tree; false: it does not, before t_max. An origin that is no farther away than NEAR times the
+ * tree's coordinates stays where it is: the boxes then swell by NEAR 2^-21 of those. */
 #define NEAR 16
 
 static bool find_start(const WideBvh *b, const Ray *r, double t_max, double *start)
@@ -195,7 +197,8 @@ bool bvh_wide_traverse(const WideBvh *b, const Ray *r, double *t_max, BvhVisit v
     if (b->nodes[0].n_children == 1 && b->nodes[0].child[0] & IS_ITEM) {    /* one box needs no tree */
         BoxRay box = box_ray(r->origin, r->dir);
         double t_enter;
-        ended = box_hit(&b->bounds, &box, r->t_min, *t_max, &t_enter) && visit(context, b->nodes[0].child[0] & ~IS_ITEM, r, t_max, t);
+        ended = box_hit(&b->bounds, &box, r->t_min, *t_max, &t_enter)
+             && visit(context, b->nodes[0].child[0] & ~IS_ITEM, r, t_max, t);
     } else if (prepare(b, r, *t_max, t, &w)) {
         stack[top++] = (Waiting){ 0, -INFINITY };
         limit = float_up((*t_max - w.start) * w.scale), t_min = float_down((r->t_min - w.start) * w.scale);

@@ -13,13 +13,13 @@ static const double povray_chords[] = { 1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 0 };
 static const double quick_povray_chords[] = { 4e-3, 1e-3, 2.5e-4, 0 };
 
 const ReportMethod report_methods[REPORT_N_SERIES] = {
-    [REPORT_CERTAIN] = { "certain", "certain", "leaf variation", "certain: leaf size", variations, quick_variations, .35 },
-    [REPORT_PAPER_FLATNESS] = { "paper-flatness", "paper", "flatness C", "paper: flatness",
+    [REPORT_CERTAIN] = { "certain", "certain", "leaf variation", "certain", variations, quick_variations, .35 },
+    [REPORT_PAPER_FLATNESS] = { "paper-flatness", "paper", "flatness C", "paper, flatness",
                                 flatnesses, quick_flatnesses, 0 },
-    [REPORT_PAPER_ITERATIONS] = { "paper-iterations", "paper", "iterations", "paper: iterations",
+    [REPORT_PAPER_ITERATIONS] = { "paper-iterations", "paper", "iterations", "paper, iterations",
                                   iterations, quick_iterations, 10 },
-    [REPORT_MESH] = { "mesh", "mesh", "chord error", "mesh, by trimray", chords, quick_chords, 0 },
-    [REPORT_POVRAY] = { "povray", "povray", "chord error", "mesh, by POV-Ray", povray_chords, quick_povray_chords, 0 },
+    [REPORT_MESH] = { "mesh", "mesh", "chord error", "mesh", chords, quick_chords, 0 },
+    [REPORT_POVRAY] = { "povray", "povray", "chord error", "mesh, POV-Ray", povray_chords, quick_povray_chords, 0 },
 };
 
 /* The file's name without folder and ending, and a number where two scenes share it. */

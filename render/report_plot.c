@@ -3,6 +3,7 @@
 #include "render/report.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 enum { WIDTH = 560, HEIGHT = 380, LEFT = 66, RIGHT = 14, TOP = 34, BOTTOM = 48, ZERO_BAND = 22, NAMES = 24 };
 
@@ -177,7 +178,7 @@ static void put_names(const Plot *p)
         if (!is_there) continue;
         fprintf(p->file, "<circle class=\"dot s%d\" cx=\"%d\" cy=\"%d\" r=\"4\"/><text x=\"%d\" y=\"%d\">%s</text>\n", k, x,
                 HEIGHT + 6, x + 9, HEIGHT + 10, report_methods[k].title);
-        x += WIDTH / REPORT_N_SERIES;
+        x += 28 + 13 * (int)strlen(report_methods[k].title) / 2;    /* a letter is some 6.5 wide */
     }
 }
 

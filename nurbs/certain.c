@@ -262,6 +262,7 @@ static double use_frame(const Ray *r, Trace *t)
 
 static bool search_patches(Search *k, const Ray *r, double t_max, Trace *t)
 {
+    if (!vec_is_finite(r->origin) || !vec_is_finite(r->dir)) return false;
     k->length = use_frame(r, t);
     Ray about_base = { vec_sub(r->origin, k->tree->base), r->dir, r->t_min };
     k->ray = (PatchRay){ .origin = about_base.origin, .d = t->frame.d, .n1 = t->frame.n1, .n2 = t->frame.n2,

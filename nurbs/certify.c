@@ -147,7 +147,8 @@ ALWAYS_INLINE NewtonResult newton(Solve *k, Trace *trace)
         double s = clamped(k->s + ds, lo, hi), t = clamped(k->t + dt, lo, hi);
         bool leaves = s != k->s + ds || t != k->t + dt;
         if (leaves && (proves_miss(k, ds, dt) || proves_miss_by_clamping(k, f1, f2))) return NEWTON_OUTSIDE;
-        k->ds = s - k->s, k->dt = t - k->t, k->s = s, k->t = t;
+        k->ds = leaves ? s - k->s : ds, k->dt = leaves ? t - k->t : dt;    /* with bits that s and t have no room for */
+        k->s = s, k->t = t;
         if (fabs(ds) < LAST_STEP && fabs(dt) < LAST_STEP) return place_of_root(k);
     }
     return NEWTON_UNDECIDED;

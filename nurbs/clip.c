@@ -126,6 +126,7 @@ static Range depth_range(const Clip *k, const Net *n)
 /* The two plane equations over the weight, and Newton's step. */
 typedef struct {
     double s, t, f1, f2, depth, ds, dt;
+    double depth_step;       /* what the step changes of the depth, to first order */
     double slope;            /* how much farther than F the depth moves: |d S_s|, |d S_t| through the inverse Jacobian */
 } Place;
 
@@ -142,7 +143,16 @@ static Place place_at(const Clip *k, double s, double t)
     Place out = { .s = s, .t = t, .f1 = vec_dot(r->n1, at), .f2 = vec_dot(r->n2, at), .depth = vec_dot(r->d, at) };
     out.slope = (fabs(vec_dot(r->d, d_s)) * hypot(a_t, b_t) + fabs(vec_dot(r->d, d_t)) * hypot(a_s, b_s)) / fabs(det);
     out.ds = value.w * (a_t * out.f2 - b_t * out.f1) / det, out.dt = value.w * (b_s * out.f1 - a_s * out.f2) / det;
+    out.depth_step = (vec_dot(r->d, d_s) * out.ds + vec_dot(r->d, d_t) * out.dt) / value.w;
     return out;
+}
+
+/* Where the surface runs through much of space within little of s or t, their last bits are not fine enough: the point that counts
+ * lies a step beside them. */
+static void take_last_step(Place *p)
+{
+    p->depth += p->depth_step;
+    p->f1 = p->f2 = 0;
 }
 
 static double residual2(const Place *p) { return p->f1 * p->f1 + p->f2 * p->f2; }
@@ -160,6 +170,8 @@ static Place polish(const Clip *k, const Net *n)
         if (!(residual2(&next) < residual2(&best))) break;
         best = next;
     }
+    const double last_bits = 4 * DBL_EPSILON;
+    if (fabs(best.ds) <= last_bits && fabs(best.dt) <= last_bits) take_last_step(&best);
     return best;
 }
 
@@ -201,7 +213,9 @@ static bool finish(const Clip *k, const Net *n, Place *root)
         bool is_last = fabs(root->ds) < 0x1p-26 * (n->s1 - n->s0) && fabs(root->dt) < 0x1p-26 * (n->t1 - n->t0);
         if (!(s > n->s0 && s < n->s1 && t > n->t0 && t < n->t1)) return false;
         *root = place_at(k, s, t);
-        if (is_last) return true;
+        if (!is_last) continue;
+        take_last_step(root);
+        return isfinite(root->depth);
     }
     return false;
 }

@@ -176,7 +176,7 @@ static inline int meet_children(const WideNode *n, const WideRay *r, float t_min
         t_far[i] = float_min(float_min(x, y), float_min(z, t_max));
     }
     int n_met = 0;
-    for (int i = 0; i < WIDTH; i++) {
+    for (uint32_t i = 0; i < n->n_children; i++) {    /* a ray of no numbers would meet those that do not exist */
         if (!(t_near[i] <= t_far[i])) continue;
         int at = n_met++;
         for (; at > 0 && out[at - 1].t < t_near[i]; at--) out[at] = out[at - 1];

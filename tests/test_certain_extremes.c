@@ -1,4 +1,4 @@
-/* `method certain`: rays that leave a surface that they met. */
+/* `method certain` where there is no table to make: rays that leave a surface, numbers that are no numbers. */
 #include "tests/stress/model.h"
 
 #include <string.h>
@@ -57,10 +57,41 @@ static void a_ray_that_leaves_does_not_meet_what_it_leaves(void **state)
     }
 }
 
+static void a_ray_of_no_numbers_meets_nothing(void **state)
+{
+    (void)state;
+    static const double odd[] = { NAN, INFINITY, -INFINITY, 0, 5e-324, 1e308, -1e308, 1 };
+    enum { N = sizeof odd / sizeof *odd };
+    Arena *a = arena_new();
+    TestRandom random = test_random(3);
+    Trace trace = new_trace();
+    for (int which = 0; which < 3; which++) {
+        Model m = round_thing(a, which, 1, 0, &random);
+        for (int i = 0; i < 3000; i++) {
+            double x[6];
+            for (int k = 0; k < 6; k++) {
+                double plain = test_range(&random, -1, 1);
+                x[k] = test_int(&random, 0, 1) ? odd[test_int(&random, 0, N - 1)] : plain;
+            }
+            Ray r = { vec(x[0], x[1], x[2]), vec(x[3], x[4], x[5]), 0 };
+            Hit hit = { .t = INFINITY };
+            bool is_hit = shape_hit(m.shape[CERTAIN], &r, &hit, &trace);
+            bool is_finite = vec_is_finite(r.origin) && vec_is_finite(r.dir) && vec_max_abs(r.dir) > 0;
+            CHECK(!is_hit || (is_finite && isfinite(hit.t) && hit.t > 0), "%s, (%g, %g, %g) + t (%g, %g, %g): t %g",
+                  m.at.form.name, x[0], x[1], x[2], x[3], x[4], x[5], hit.t);
+            (void)shape_blocks(m.shape[CERTAIN], &r, INFINITY, &trace);
+        }
+        shape_release(m.shape[CERTAIN]);
+    }
+    arena_free(trace.scratch);
+    arena_free(a);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_ray_that_leaves_does_not_meet_what_it_leaves),
+        cmocka_unit_test(a_ray_of_no_numbers_meets_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

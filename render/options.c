@@ -241,6 +241,8 @@ static const Row table[] = {
     { NULL, NULL, "flatness", "C", ALL, "how finely, where the scene does not say",
       REAL(nurbs.flatness, 0x1p-1022, INFINITY) },
     { NULL, NULL, "max-iterations", "N", ALL, "steps of Newton's method", WHOLE(nurbs.max_iterations, 1, MAX_NEWTON) },
+    { NULL, NULL, "max-steps", "N", ALL, "rounds of loops and calls of macros before giving up (default 100000000)",
+      WHOLE(max_steps, 1, 2000000000) },
     { NULL, NULL, "leaf-variation", "V", ALL, "method certain: how much derivatives may vary within a leaf (default .35)",
       REAL(nurbs.leaf_variation, 0x1p-1022, INFINITY) },
     { NULL, NULL, "rays", "FILE", S, "shoot: 6 little-endian doubles a ray; .txt and -: as text", TEXT(rays) },

@@ -37,6 +37,7 @@ typedef struct {
     ParseDeclare *declares;
     size_t n_declares, declares_capacity;
     NurbsOptions nurbs;
+    int max_steps;                  /* rounds of loops and calls of macros before giving up; 0: the parser's limit */
     const char *stats;               /* a JSON file for the statistics; NULL: none */
     double chord_error;              /* export; 0: by the scene's size */
     const char *diff;                /* compare: a picture of the differences; NULL: none */

@@ -53,6 +53,7 @@ static ParseOptions parse_options(const Run *run)
         .declares = o->declares, .n_declares = (int)o->n_declares,
         .version = o->version, .clock = o->clock, .clock_on = o->clock_on,
         .image_width = o->width, .image_height = o->height, .quality = o->quality, .nurbs = o->nurbs,
+        .max_steps = o->max_steps,
     };
 }
 

@@ -72,6 +72,13 @@ mkdir folder && cp two.pov folder
 run folder/two.pov +W40 +H30
 ends_with 0; is_silent; png folder/two.png 40 30 8 2
 
+test=the_limit_of_loops_can_be_set
+echo '#declare I = 0; #while (I < 1000) #declare I = I + 1; #end sphere { 0, 1 }' >loop.pov
+run check loop.pov --max-steps 10
+ends_with 1
+run check loop.pov --max-steps 2000
+ends_with 0
+
 test=a_picture_can_go_anywhere
 run two.pov +W40 +H30 +O-
 ends_with 0; same out folder/two.png

@@ -21,11 +21,6 @@
 
 enum { MAX_STEPS = 8 };
 
-/* A step shorter than this is the last: the next error is about its square. */
-#define LAST_STEP 0x1p-26
-
-/* A hull that stays this many roundings away from zero has no zero: as in clip.c. */
-#define HULL_SLACK 1.5
 
 PatchRay patch_ray(Vec3 origin, Vec3 dir, double t_min, double t_max)
 {
@@ -202,7 +197,7 @@ ALWAYS_INLINE bool hull_is_off(const Solve *k)
 {
     const Patch *p = k->p;
     int k_u = p->k_u, k_v = p->k_v, n = k_u * k_v;
-    double a[HULL_POINTS], b[HULL_POINTS], g[HULL_POINTS], error = HULL_SLACK * k->rounding * p->w_max;
+    double a[HULL_POINTS], b[HULL_POINTS], g[HULL_POINTS], error = PATCH_SLACK * k->rounding * p->w_max;
     a[0] = b[0] = g[0] = 0;    /* compilers do not know that there is a point */
     for (int i = 0; i < n; i++) {
         Vec3 x = vec(p->p[i].x, p->p[i].y, p->p[i].z);

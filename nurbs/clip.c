@@ -4,8 +4,8 @@
  *
  * Rounding. The first net is exact within `rounding` (certify.h) times the weights. Restricting to a box is a convex
  * combination whose own error is relative to the coefficients there, which shrink at least with the box: the errors of all
- * levels together stay within half of what `rounding` allows for. So a hull that excludes zero by more than SLACK times that
- * excludes a root.
+ * levels together stay within half of what `rounding` allows for. So a hull that excludes zero by more than PATCH_SLACK
+ * times that excludes a root.
  *
  * Memory comes from the thread's scratch arena, with marks; the recursion is some 100 deep at most: both
  * sides of a box are halved until they are MIN_WIDTH. */
@@ -17,7 +17,6 @@
 #include <math.h>
 #include <string.h>
 
-#define SLACK 1.5
 #define ON_THE_RAY 1.25      /* a box whose coefficients are within that many errors of zero cannot be told from the ray */
 /* A box on the ray that is longer than this, in radii of the patch, is no tangent point (those are some 2^-26 long, 2^-17 at
  * a cusp): the ray runs in the surface there, and the hit is where it enters. Boxes that a trim declines are not cut up
@@ -147,8 +146,8 @@ static Place place_at(const Clip *k, double s, double t)
     return out;
 }
 
-/* Where the surface runs through much of space within little of s or t, their last bits are not fine enough: the point that counts
- * lies a step beside them. */
+/* Where the surface runs through much of space within little of s or t, their last bits are not fine enough: the point that
+ * counts lies a step beside them. */
 static void take_last_step(Place *p)
 {
     p->depth += p->depth_step;
@@ -210,7 +209,7 @@ static bool finish(const Clip *k, const Net *n, Place *root)
     *root = place_at(k, 0.5 * (n->s0 + n->s1), 0.5 * (n->t0 + n->t1));
     for (int step = 0; step < 6; step++) {
         double s = root->s + root->ds, t = root->t + root->dt;
-        bool is_last = fabs(root->ds) < 0x1p-26 * (n->s1 - n->s0) && fabs(root->dt) < 0x1p-26 * (n->t1 - n->t0);
+        bool is_last = fabs(root->ds) < LAST_STEP * (n->s1 - n->s0) && fabs(root->dt) < LAST_STEP * (n->t1 - n->t0);
         if (!(s > n->s0 && s < n->s1 && t > n->t0 && t < n->t1)) return false;
         *root = place_at(k, s, t);
         if (!is_last) continue;
@@ -386,7 +385,7 @@ static bool halve(const Clip *k, Net *n)
 static bool settle_in_scratch(const Clip *k, Net *n)
 {
     for (;;) {
-        double w_max = range_of(n->w, k->n).hi, error = SLACK * k->rounding * w_max;
+        double w_max = range_of(n->w, k->n).hi, error = PATCH_SLACK * k->rounding * w_max;
         Range a = range_of(n->a, k->n), b = range_of(n->b, k->n);
         if (a.lo > error || a.hi < -error || b.lo > error || b.hi < -error) return false;
         Range depth = depth_range(k, n);

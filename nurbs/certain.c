@@ -19,6 +19,7 @@
 typedef struct {
     const Surface *s;                /* its points about the tree's base */
     double rounding;                 /* of the patches' points */
+    Vec3 to_bvh;                     /* from the tree's base to that of its boxes */
     double variation;                /* that patches may have */
     Arena *own, *lists;
     Patch *patches;
@@ -58,7 +59,8 @@ static bool keep_patch(Preparation *k, uint32_t at, const Vec4 *points, TrimRect
     }
     patch_make(k->own, s->k_u, s->k_v, points, k->rounding, r, &p);
     k->n_untested += s->trims && !cell;
-    k->nodes[at] = (BvhNode){ box_expand(bezier_hull(s->k_u * s->k_v, points), 2 * k->rounding), (uint32_t)k->n_patches, 1 };
+    Box hull = box_moved(box_expand(bezier_hull(s->k_u * s->k_v, points), 2 * k->rounding), k->to_bvh);
+    k->nodes[at] = (BvhNode){ hull, (uint32_t)k->n_patches, 1 };
     ARENA_PUSH(k->lists, k->patches, k->n_patches, k->patches_capacity) = p;
     ARENA_PUSH(k->lists, k->cells, k->n_cells, k->cells_capacity) = cell;
     return true;
@@ -149,11 +151,17 @@ static double coarseness(const Surface *s)
     return points > 16 ? pow(points / 16, 0.25) : 1;
 }
 
+/* Boxes are in single precision: those of a surface that lies farther from the origin than this, in its own diagonals, are
+ * about its middle. All others share their space with the trees around them, whose work on a ray is then not done again. */
+#define FAR_OFF 16
+
 void certain_prepare(Arena *a, const Surface *surface, double variation, PatchTree *out)
 {
     Preparation k = { .own = a, .lists = arena_new(), .rounding = rounding_of_patches(surface) };
     k.variation = (variation > 0 ? variation : CERTAIN_VARIATION) * coarseness(surface);
-    Vec3 base = box_centre(surface->box);
+    Vec3 base = box_centre(surface->box), nowhere = { 0, 0, 0 };
+    bool is_far = vec_max_abs(base) > FAR_OFF * box_diagonal(surface->box);
+    k.to_bvh = is_far ? nowhere : base;
     Surface about_base = *surface, *s = &about_base;
     about_base.p = points_about(k.lists, surface, base);
     k.s = s;
@@ -162,7 +170,7 @@ void certain_prepare(Arena *a, const Surface *surface, double variation, PatchTr
     k.spans_v = list_spans(k.lists, s->k_v, s->n_v, s->tau_v, &all.v1);
     uint32_t root = new_pair(&k);
     bool has_any = grow_spans(&k, root, all);
-    *out = (PatchTree){ .base = base,
+    *out = (PatchTree){ .base = base, .bvh_base = is_far ? base : nowhere,
                         .patches = arena_copy(a, k.patches, k.n_patches, sizeof *k.patches),
                         .cells = arena_copy(a, k.cells, k.n_cells, sizeof *k.cells),
                         .n_patches = (uint32_t)k.n_patches,
@@ -264,11 +272,11 @@ static bool search_patches(Search *k, const Ray *r, double t_max, Trace *t)
 {
     if (!vec_is_finite(r->origin) || !vec_is_finite(r->dir)) return false;
     k->length = use_frame(r, t);
-    Ray about_base = { vec_sub(r->origin, k->tree->base), r->dir, r->t_min };
-    k->ray = (PatchRay){ .origin = about_base.origin, .d = t->frame.d, .n1 = t->frame.n1, .n2 = t->frame.n2,
+    Ray in_bvh = { vec_sub(r->origin, k->tree->bvh_base), r->dir, r->t_min };
+    k->ray = (PatchRay){ .origin = vec_sub(r->origin, k->tree->base), .d = t->frame.d, .n1 = t->frame.n1, .n2 = t->frame.n2,
                          .t_min = r->t_min * k->length, .t_max = t_max * k->length };
     if (t->root.seed == t->seed) k->ray.guess = t->root.leaf, k->ray.guess_s = t->root.s, k->ray.guess_t = t->root.t;
-    bvh_traverse(k->tree->bvh, &about_base, &t_max, visit_patch, k, t);
+    bvh_traverse(k->tree->bvh, &in_bvh, &t_max, visit_patch, k, t);
     return k->found;
 }
 

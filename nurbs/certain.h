@@ -13,6 +13,7 @@ typedef struct {
     const TrimCell *const *cells;    /* what the trims say in each patch; NULL: it is wholly kept */
     uint32_t n_patches;
     const Bvh *bvh;                  /* item i is patches[i] */
+    Vec3 bvh_base;                   /* its boxes are about this point: 0, or the base of a surface that is far off */
     uint32_t n_cut, n_untested;      /* dropped because trimmed away; kept without a trim test on a trimmed surface */
 } PatchTree;
 

@@ -73,6 +73,17 @@ Box box_expand(Box b, double by)
     return b;
 }
 
+Box box_moved(Box b, Vec3 by)
+{
+    const double d[3] = { by.x, by.y, by.z };
+    if (box_is_empty(b) || vec_max_abs(by) == 0) return b;
+    for (int k = 0; k < 3; k++) {
+        b.lo[k] = float_down(nextafter(b.lo[k] + d[k], -INFINITY));
+        b.hi[k] = float_up(nextafter(b.hi[k] + d[k], INFINITY));
+    }
+    return b;
+}
+
 bool box_is_empty(Box b) { return !(b.lo[0] <= b.hi[0] && b.lo[1] <= b.hi[1] && b.lo[2] <= b.hi[2]); }
 
 bool box_is_finite(Box b)

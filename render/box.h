@@ -20,6 +20,7 @@ Box box_union(Box a, Box b);
 Box box_intersection(Box a, Box b);            /* may be empty */
 Box box_add_point(Box b, Vec3 p);
 Box box_expand(Box b, double by);              /* by >= 0, to every side, rounded outward */
+Box box_moved(Box b, Vec3 by);                 /* rounded outward */
 bool box_is_empty(Box b);
 bool box_is_finite(Box b);                     /* not empty, every side finite */
 bool box_contains(Box b, Vec3 p);

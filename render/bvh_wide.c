@@ -22,7 +22,7 @@
 typedef struct {
     float side[2][3][WIDTH];       /* lo and hi by axis; children that do not exist: lo +inf, hi -inf */
     uint32_t child[WIDTH];         /* a node, or IS_ITEM and an item */
-    uint32_t n_children;
+    uint32_t n_children, exists;   /* exists: a bit for each */
 } WideNode;
 
 struct WideBvh {
@@ -30,6 +30,8 @@ struct WideBvh {
     uint32_t n_nodes;
     Box bounds;
     double largest, diagonal;      /* the largest coordinate of the bounds, and their diagonal */
+    bool is_single;                /* it has one item alone: */
+    uint32_t single;
 };
 
 /* ---- collapsing ---- */
@@ -70,7 +72,7 @@ static void set_child(WideNode *w, uint32_t i, Box b)
 static uint32_t collapse(Collapse *c, uint32_t from)
 {
     uint32_t list[WIDTH], n = open_children(c, from, list), at = (uint32_t)c->n_wide;
-    WideNode w = { .n_children = n };
+    WideNode w = { .n_children = n, .exists = (1u << n) - 1 };
     for (uint32_t i = 0; i < WIDTH; i++) set_child(&w, i, i < n ? c->nodes[list[i]].box : box_empty());
     ARENA_PUSH(c->arena, c->wide, c->n_wide, c->capacity) = w;
     for (uint32_t i = 0; i < n; i++) {
@@ -90,6 +92,8 @@ WideBvh *bvh_wide_build(Arena *a, const BvhNode *nodes, const uint32_t *items)
                     .bounds = nodes[0].box, .diagonal = box_diagonal(nodes[0].box) };
     for (int k = 0; k < 3; k++)
         w->largest = double_max(w->largest, double_max(fabs(w->bounds.lo[k]), fabs(w->bounds.hi[k])));
+    w->is_single = nodes[0].n_items > 0;
+    w->single = w->nodes[0].child[0] & ~IS_ITEM;
     arena_free(c.arena);
     return w;
 }
@@ -98,123 +102,137 @@ uint32_t bvh_wide_node_count(const WideBvh *w) { return w->n_nodes; }
 
 /* ---- traversal ---- */
 
-typedef struct {
-    float inverse[3], near_shift[3], far_shift[3];
-    int near_side[3];              /* which side of a box the ray meets first */
-    double start, scale;           /* its own t = (t of the caller - start) * scale */
-} WideRay;
-
-/* Fills t->slabs for the ray's direction, unless it is there from the tree before. */
-static void use_slabs(const Ray *r, Trace *t)
-{
-    Vec3 a = r->dir, b = t->slabs.dir;
-    if (a.x == b.x && a.y == b.y && a.z == b.z && t->slabs.scale > 0) return;
-    t->slabs.dir = a, t->slabs.scale = vec_max_abs(a);
-    const double d[3] = { a.x, a.y, a.z };
-    for (int k = 0; k < 3; k++) {
-        double x = d[k] / t->slabs.scale;
-        t->slabs.inverse[k] = 1 / (fabs(x) >= TINY ? x : copysign(TINY, d[k]));
-    }
-}
-
-static inline void prepare_axis(WideRay *w, int k, double o, double inverse, double largest, double rounding,
-                                double diagonal)
-{
-    double slack = fabs(inverse) * ((fabs(o) + largest) * 0x1p-21 + rounding);
-    if (fabs(inverse) >= 1 / TINY) slack += 4 * diagonal;
-    w->inverse[k] = (float)inverse;
-    w->near_shift[k] = float_down(-o * inverse - slack);
-    w->far_shift[k] = float_up(-o * inverse + slack);
-    w->near_side[k] = signbit(inverse) != 0;
-}
-
-/* Where the ray enters the tree; false: it does not, before t_max. An origin that is no farther away than NEAR times the
- * tree's coordinates stays where it is: the boxes then swell by NEAR 2^-21 of those. */
+/* An origin that is no farther away than NEAR times the tree's coordinates stays where it is: the boxes then swell by NEAR
+ * 2^-21 of those. */
 #define NEAR 16
 
+/* Where the ray enters the tree; false: it does not, before t_max. */
 static bool find_start(const WideBvh *b, const Ray *r, double t_max, double *start)
 {
     *start = r->t_min;
     if (vec_max_abs(r->origin) <= NEAR * b->largest && fabs(r->t_min) <= NEAR * b->largest) return true;
     BoxRay box = box_ray(r->origin, r->dir);
-    return box_hit(&b->bounds, &box, r->t_min, t_max, start);
+    if (!box_hit(&b->bounds, &box, r->t_min, t_max, start)) return false;
+    if (!isfinite(*start)) *start = r->t_min;
+    return true;
 }
 
-/* false: the ray does not meet the tree's bounds before t_max. */
-static inline bool prepare(const WideBvh *b, const Ray *r, double t_max, Trace *t, WideRay *w)
+static inline void set_axis(Slabs *w, int k, const WideBvh *b, double o, double d)
 {
-    if (!find_start(b, r, t_max, &w->start)) return false;
-    use_slabs(r, t);
-    w->scale = t->slabs.scale;
-    if (!isfinite(w->start)) w->start = r->t_min;
-    Vec3 o = ray_at(r, w->start);
-    double far = fabs(w->start) * w->scale;
-    prepare_axis(w, 0, o.x, t->slabs.inverse[0], b->largest, 0x1p-52 * (fabs(r->origin.x) + far), b->diagonal);
-    prepare_axis(w, 1, o.y, t->slabs.inverse[1], b->largest, 0x1p-52 * (fabs(r->origin.y) + far), b->diagonal);
-    prepare_axis(w, 2, o.z, t->slabs.inverse[2], b->largest, 0x1p-52 * (fabs(r->origin.z) + far), b->diagonal);
+    double x = d / w->scale, inverse = 1 / (fabs(x) >= TINY ? x : copysign(TINY, d)), far = fabs(w->start) * w->scale;
+    double at = w->start * d + o;
+    double slack = fabs(inverse) * ((fabs(at) + b->largest) * 0x1p-21 + 0x1p-52 * (fabs(o) + far));
+    if (fabs(x) < TINY) slack += 4 * b->diagonal;
+    w->inverse[k] = (float)inverse;
+    w->near_shift[k] = (float)(-at * inverse - slack);
+    w->far_shift[k] = (float)(-at * inverse + slack);
+    w->near_side[k] = signbit(d) != 0;
+}
+
+static bool is_same_ray(const Ray *a, const Ray *b)
+{
+    return a->origin.x == b->origin.x && a->origin.y == b->origin.y && a->origin.z == b->origin.z && a->dir.x == b->dir.x
+        && a->dir.y == b->dir.y && a->dir.z == b->dir.z && a->t_min == b->t_min;
+}
+
+static bool contains(const Box *a, const Box *b)
+{
+    bool is_within = true;
+    for (int k = 0; k < 3; k++) is_within = is_within && a->lo[k] <= b->lo[k] && a->hi[k] >= b->hi[k];
+    return is_within;
+}
+
+/* Makes t->wide the ray for this tree; false: it does not meet the tree's bounds before t_max. */
+static bool use_wide_ray(const WideBvh *b, const Ray *r, double t_max, Trace *t)
+{
+    WideRay *w = &t->wide;
+    double start;
+    if (is_same_ray(&w->ray, r) && contains(&w->bounds, &b->bounds)) return true;
+    if (!find_start(b, r, t_max, &start)) return false;
+    w->ray = *r, w->bounds = b->bounds;
+    w->slabs.start = start, w->slabs.scale = vec_max_abs(r->dir);
+    set_axis(&w->slabs, 0, b, r->origin.x, r->dir.x);
+    set_axis(&w->slabs, 1, b, r->origin.y, r->dir.y);
+    set_axis(&w->slabs, 2, b, r->origin.z, r->dir.z);
     return true;
 }
 
 typedef struct { uint32_t child; float t; } Waiting;
 
-static inline float float_min(float a, float b) { return a < b ? a : b; }
-static inline float float_max(float a, float b) { return a > b ? a : b; }
+typedef int V8i __attribute__((vector_size(32)));
+typedef float V8f __attribute__((vector_size(32)));
+typedef float V8fUnaligned __attribute__((vector_size(32), aligned(4), may_alias));
+
+ALWAYS_INLINE V8f load(const float *p) { return *(const V8fUnaligned *)p; }
+ALWAYS_INLINE V8f splat(float x) { return (V8f){ x, x, x, x, x, x, x, x }; }
+ALWAYS_INLINE V8f v8_max(V8f a, V8f b) { return (V8f)(((V8i)a & (a > b)) | ((V8i)b & ~(a > b))); }
+ALWAYS_INLINE V8f v8_min(V8f a, V8f b) { return (V8f)(((V8i)a & (a < b)) | ((V8i)b & ~(a < b))); }
+
+/* Bit i: is lane i of the comparison true? */
+ALWAYS_INLINE unsigned mask_of(V8i truth)
+{
+    V8i x = truth & (V8i){ 1, 2, 4, 8, 16, 32, 64, 128 };
+    x |= __builtin_shuffle(x, (V8i){ 4, 5, 6, 7, 0, 1, 2, 3 });
+    x |= __builtin_shuffle(x, (V8i){ 2, 3, 0, 1, 6, 7, 4, 5 });
+    x |= __builtin_shuffle(x, (V8i){ 1, 0, 3, 2, 5, 4, 7, 6 });
+    return (unsigned)x[0];
+}
 
 /* Children of n that the ray meets in [t_min, t_max], the nearest last. */
-static inline int meet_children(const WideNode *n, const WideRay *r, float t_min, float t_max, Waiting *out)
+ALWAYS_INLINE int meet_children(const WideNode *n, const Slabs *r, float t_min, float t_max, Waiting *out)
 {
-    float t_near[WIDTH], t_far[WIDTH];
-    const float *x0 = n->side[r->near_side[0]][0], *x1 = n->side[!r->near_side[0]][0];
-    const float *y0 = n->side[r->near_side[1]][1], *y1 = n->side[!r->near_side[1]][1];
-    const float *z0 = n->side[r->near_side[2]][2], *z1 = n->side[!r->near_side[2]][2];
-    for (int i = 0; i < WIDTH; i++) {
-        float x = x0[i] * r->inverse[0] + r->near_shift[0], y = y0[i] * r->inverse[1] + r->near_shift[1];
-        float z = z0[i] * r->inverse[2] + r->near_shift[2];
-        t_near[i] = float_max(float_max(x, y), float_max(z, t_min));
-        x = x1[i] * r->inverse[0] + r->far_shift[0], y = y1[i] * r->inverse[1] + r->far_shift[1];
-        z = z1[i] * r->inverse[2] + r->far_shift[2];
-        t_far[i] = float_min(float_min(x, y), float_min(z, t_max));
+    V8f near = splat(t_min), far = splat(t_max);
+    for (int k = 0; k < 3; k++) {
+        V8f inverse = splat(r->inverse[k]);
+        near = v8_max(load(n->side[r->near_side[k]][k]) * inverse + splat(r->near_shift[k]), near);
+        far = v8_min(load(n->side[!r->near_side[k]][k]) * inverse + splat(r->far_shift[k]), far);
     }
     int n_met = 0;
-    for (uint32_t i = 0; i < n->n_children; i++) {    /* a ray of no numbers would meet those that do not exist */
-        if (!(t_near[i] <= t_far[i])) continue;
-        int at = n_met++;
-        for (; at > 0 && out[at - 1].t < t_near[i]; at--) out[at] = out[at - 1];
-        out[at] = (Waiting){ n->child[i], t_near[i] };
+    /* a ray of no numbers would meet children that do not exist */
+    for (unsigned met = mask_of(near <= far) & n->exists; met != 0; met &= met - 1) {
+        int i = __builtin_ctz(met), at = n_met++;
+        float t = near[i];
+        for (; at > 0 && out[at - 1].t < t; at--) out[at] = out[at - 1];
+        out[at] = (Waiting){ n->child[i], t };
     }
     return n_met;
 }
 
+/* The only item of a tree needs no tree. */
+static bool visit_single(const WideBvh *b, const Ray *r, double *t_max, BvhVisit visit, void *context, Trace *t)
+{
+    BoxRay box = box_ray(r->origin, r->dir);
+    double t_enter;
+    return box_hit(&b->bounds, &box, r->t_min, *t_max, &t_enter) && visit(context, b->single, r, t_max, t);
+}
+
+ALWAYS_INLINE float limit_of(const Slabs *s, double t_max) { return float_up((t_max - s->start) * s->scale); }
+
 EVERY_X86
 bool bvh_wide_traverse(const WideBvh *b, const Ray *r, double *t_max, BvhVisit visit, void *context, Trace *t)
 {
-    WideRay w;
-    uint64_t n_boxes = 1;
-    bool ended = false;
+    uint64_t *count = t->is_shadow_ray ? &t->counters.light_bv_intersections : &t->counters.bv_intersections;
+    ++*count;
+    if (b->is_single) return visit_single(b, r, t_max, visit, context, t);
+    if (!use_wide_ray(b, r, *t_max, t)) return false;
+    Slabs slabs = t->wide.slabs;     /* the visitor's own trees may need another ray */
     Waiting stack[STACK_SIZE];
-    int top = 0;
-    float limit = 0, t_min = 0;
-    if (b->nodes[0].n_children == 1 && b->nodes[0].child[0] & IS_ITEM) {    /* one box needs no tree */
-        BoxRay box = box_ray(r->origin, r->dir);
-        double t_enter;
-        ended = box_hit(&b->bounds, &box, r->t_min, *t_max, &t_enter)
-             && visit(context, b->nodes[0].child[0] & ~IS_ITEM, r, t_max, t);
-    } else if (prepare(b, r, *t_max, t, &w)) {
-        stack[top++] = (Waiting){ 0, -INFINITY };
-        limit = float_up((*t_max - w.start) * w.scale), t_min = float_down((r->t_min - w.start) * w.scale);
-    }
+    float limit = limit_of(&slabs, *t_max), t_min = float_down((r->t_min - slabs.start) * slabs.scale);
+    int top = meet_children(&b->nodes[0], &slabs, t_min, limit, stack);
+    uint64_t n_boxes = b->nodes[0].n_children;
+    bool ended = false;
     while (top > 0 && !ended) {
         Waiting next = stack[--top];
         if (next.t > limit) continue;            /* a hit has come nearer since */
         if (next.child & IS_ITEM) {
             ended = visit(context, next.child & ~IS_ITEM, r, t_max, t);
-            limit = float_up((*t_max - w.start) * w.scale);
+            limit = limit_of(&slabs, *t_max);
         } else {
             const WideNode *n = &b->nodes[next.child];
             n_boxes += n->n_children;
-            top += meet_children(n, &w, t_min, limit, stack + top);
+            top += meet_children(n, &slabs, t_min, limit, stack + top);
         }
     }
-    *(t->is_shadow_ray ? &t->counters.light_bv_intersections : &t->counters.bv_intersections) += n_boxes;
+    *count += n_boxes;
     return ended;
 }

@@ -7,6 +7,7 @@
 #include "render/box.h"
 #include "render/ray.h"
 #include "render/stats.h"
+#include "render/wide_ray.h"
 #include "render/xform.h"
 
 #include <stdatomic.h>
@@ -19,8 +20,7 @@ typedef struct {
     bool is_shadow_ray;      /* set by whoever casts the ray: boxes are counted apart */
     bool measures_time;      /* fill counters.nurbs_seconds: costs two clock reads a test */
     uint64_t seed;           /* of this ray: depends only on (pixel, sample); see hash.h */
-    /* What a tree of boxes needs of the last direction (bvh_wide.c): its largest component, and the inverses over that. */
-    struct { Vec3 dir; double scale, inverse[3]; } slabs;
+    WideRay wide;            /* the last ray that met a tree of boxes */
     /* The frame of the last direction, for shapes that see a ray as two planes: unit d, perpendicular unit n1 and n2. */
     struct { Vec3 dir; double length; Vec3 d, n1, n2; } frame;
     /* The last root that was accepted: where rays that leave from it find their own surface again. It counts only while

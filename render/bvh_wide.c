@@ -160,22 +160,37 @@ static bool use_wide_ray(const WideBvh *b, const Ray *r, double t_max, Trace *t)
 typedef struct { uint32_t child; float t; } Waiting;
 
 typedef int V8i __attribute__((vector_size(32)));
+typedef signed char V8c __attribute__((vector_size(8)));
 typedef float V8f __attribute__((vector_size(32)));
 typedef float V8fUnaligned __attribute__((vector_size(32), aligned(4), may_alias));
 
 ALWAYS_INLINE V8f load(const float *p) { return *(const V8fUnaligned *)p; }
 ALWAYS_INLINE V8f splat(float x) { return (V8f){ x, x, x, x, x, x, x, x }; }
-ALWAYS_INLINE V8f v8_max(V8f a, V8f b) { return (V8f)(((V8i)a & (a > b)) | ((V8i)b & ~(a > b))); }
-ALWAYS_INLINE V8f v8_min(V8f a, V8f b) { return (V8f)(((V8i)a & (a < b)) | ((V8i)b & ~(a < b))); }
 
-/* Bit i: is lane i of the comparison true? */
+ALWAYS_INLINE V8f v8_max(V8f a, V8f b)
+{
+    V8f out;
+    for (int i = 0; i < WIDTH; i++) out[i] = a[i] > b[i] ? a[i] : b[i];
+    return out;
+}
+
+ALWAYS_INLINE V8f v8_min(V8f a, V8f b)
+{
+    V8f out;
+    for (int i = 0; i < WIDTH; i++) out[i] = a[i] < b[i] ? a[i] : b[i];
+    return out;
+}
+
+/* Bit i: is lane i of the comparison true? Byte i keeps its bit i alone, and the product sums the bytes into the highest. */
 ALWAYS_INLINE unsigned mask_of(V8i truth)
 {
-    V8i x = truth & (V8i){ 1, 2, 4, 8, 16, 32, 64, 128 };
-    x |= __builtin_shuffle(x, (V8i){ 4, 5, 6, 7, 0, 1, 2, 3 });
-    x |= __builtin_shuffle(x, (V8i){ 2, 3, 0, 1, 6, 7, 4, 5 });
-    x |= __builtin_shuffle(x, (V8i){ 1, 0, 3, 2, 5, 4, 7, 6 });
-    return (unsigned)x[0];
+    V8c bytes = __builtin_convertvector(truth, V8c);
+    uint64_t all;
+    memcpy(&all, &bytes, sizeof all);
+#if __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
+    all = __builtin_bswap64(all);
+#endif
+    return (unsigned)((all & 0x8040201008040201u) * 0x0101010101010101u >> 56);
 }
 
 /* Children of n that the ray meets in [t_min, t_max], the nearest last. */

@@ -68,6 +68,17 @@ static bool keep_patch(Preparation *k, uint32_t at, const Vec4 *points, TrimRect
 
 typedef struct { int u, v; } Halvings;
 
+/* Which direction to halve along; false: neither is worth it. Where one is used up, what it would take away stays (a side that
+ * collapses to a pole bends by all of itself, however near one looks), and the other is halved for its own share alone. */
+static bool choose_halving(const Preparation *k, PatchBend bend, Halvings left, bool *along_u)
+{
+    if (!(bend.variation > k->variation)) return false;
+    *along_u = bend.along_u >= bend.along_v;
+    if (*along_u ? left.u > 0 : left.v > 0) return true;
+    *along_u = !*along_u;
+    return (*along_u ? left.u : left.v) > 0 && 0.5 * (*along_u ? bend.along_u : bend.along_v) > k->variation;
+}
+
 /* Cuts the points over an interval until each part is worth a frame, below node `at`; `points` is used up. Returns whether
  * anything of it is kept. */
 static bool grow_patch(Preparation *k, uint32_t at, Vec4 *points, TrimRect r, Halvings left)
@@ -76,9 +87,8 @@ static bool grow_patch(Preparation *k, uint32_t at, Vec4 *points, TrimRect r, Ha
     TrimClass class = s->trims ? trim_class(s->trims, r) : TRIM_KEPT;
     k->n_cut += class == TRIM_CUT;
     if (class == TRIM_CUT) return false;
-    PatchBend bend = patch_bend(s->k_u, s->k_v, points);
-    bool along_u = bend.along_u >= bend.along_v ? left.u > 0 : left.v == 0;
-    if (!(bend.variation > k->variation) || (left.u == 0 && left.v == 0)) return keep_patch(k, at, points, r);
+    bool along_u;
+    if (!choose_halving(k, patch_bend(s->k_u, s->k_v, points), left, &along_u)) return keep_patch(k, at, points, r);
     Vec4 first[NURBS_MAX_ORDER * NURBS_MAX_ORDER];
     TrimRect a = r, b = r;
     if (along_u) {

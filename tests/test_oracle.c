@@ -87,6 +87,32 @@ static void roots_are_those_of_the_closed_forms(void **state)
     }
 }
 
+/* The corners of a tall paraboloid are farther from its origin than anything else that forms have. */
+static void a_corner_far_from_the_middle_is_seen(void **state)
+{
+    (void)state;
+    for (unsigned seed = 0; seed < 40; seed++) {
+        TestRandom random = test_random(seed);
+        Arena *a = arena_new();
+        Thing t = { .name = "tall paraboloid" };
+        t.form = form_paraboloid(a, seed & 4 ? 2 : -2, &t.net);
+        QuadMap place = model_rotation(&random, 1);
+        Subject s = subject(a, t, &place);
+        Quad3 corner = net_point(&s.m.plain, seed & 1 ? 1e-9 : 1 - 1e-9, seed & 2 ? 1e-9 : 1 - 1e-9);
+        Ray r = ray_towards(&s.m, corner, random_direction(&random), 3, &random);
+        Truth truth;
+        truth_of_form(&s.m.at, &r, &truth);
+        bool is_there = false;
+        long double at = (long double)(quad3_length(quad3_sub(corner, quad3_of(r.origin))) / quad3_length(quad3_of(r.dir)));
+        for (int i = 0; i < truth.n; i++)
+            is_there = is_there || (truth.root[i].lo <= at && at <= truth.root[i].hi && truth.root[i].is_inside);
+        CHECK(is_there, "seed %u: nothing at %Lg", seed, at);
+        check_roots(&s, &r, t.name, seed);
+        oracle_free(s.o);
+        arena_free(a);
+    }
+}
+
 static void a_root_is_good_to_thirty_digits(void **state)
 {
     (void)state;
@@ -244,6 +270,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(roots_are_those_of_the_closed_forms),
+        cmocka_unit_test(a_corner_far_from_the_middle_is_seen),
         cmocka_unit_test(a_root_is_good_to_thirty_digits),
         cmocka_unit_test(a_tangent_is_a_cluster_and_a_miss_is_none),
         cmocka_unit_test(a_root_on_a_knot_or_a_corner_is_one_root),

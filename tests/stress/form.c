@@ -41,6 +41,16 @@ static void fill(Arena *a, Net *n, int k_u, int k_v, const Term x[2], const Term
             n->p[j * k_u + i] = (Quad4){ terms_at(x, 2, n, i, j), terms_at(y, 2, n, i, j), terms_at(z, 2, n, i, j), 1 };
 }
 
+/* A surface lies in the hull of its control points. */
+static Form reaching(Form f, const Net *n)
+{
+    for (int i = 0; i < n->n[0] * n->n[1]; i++) {
+        Quad4 p = n->p[i];
+        f.reach = quad_max(f.reach, quad3_length(quad3(p.x / p.w, p.y / p.w, p.z / p.w)));
+    }
+    return f;
+}
+
 static const Term term_u[2] = { { 1, 1, 0 } }, term_v[2] = { { 1, 0, 1 } };
 
 /* ---- revolution ---- */
@@ -76,7 +86,7 @@ Form form_sphere(Arena *a, Net *n)
     Quad h = quad_sqrt((Quad)1 / 2);
     Quad profile[5][3] = { { 0, -1, 1 }, { 1, -1, h }, { 1, 0, 1 }, { 1, 1, h }, { 0, 1, 1 } };
     revolve(a, n, 3, 2, profile);
-    return (Form){ .name = "sphere", .along = sphere_along, .gradient = sphere_gradient, .hessian = 16 };
+    return reaching((Form){ .name = "sphere", .along = sphere_along, .gradient = sphere_gradient, .hessian = 16 }, n);
 }
 
 static Poly torus_along(const Form *f, Poly x, Poly y, Poly z)
@@ -99,7 +109,8 @@ Form form_torus(Arena *a, double minor, Net *n)
         profile[j][2] = j % 2 ? h : 1;
     }
     revolve(a, n, 3, 4, profile);
-    return (Form){ .name = "torus", .along = torus_along, .gradient = torus_gradient, .hessian = 64, .par = { minor } };
+    return reaching((Form){ .name = "torus", .along = torus_along, .gradient = torus_gradient, .hessian = 64,
+                            .par = { minor } }, n);
 }
 
 static Poly cylinder_along(const Form *f, Poly x, Poly y, Poly z)
@@ -117,8 +128,8 @@ Form form_cylinder(Arena *a, Net *n)
 {
     Quad profile[2][3] = { { 1, -1, 1 }, { 1, 1, 1 } };
     revolve(a, n, 2, 1, profile);
-    return (Form){ .name = "cylinder", .along = cylinder_along, .gradient = cylinder_gradient, .hessian = 16, .n_sides = 2,
-                   .side = { half_space(0, 0, 1, 1), half_space(0, 0, -1, 1) } };
+    return reaching((Form){ .name = "cylinder", .along = cylinder_along, .gradient = cylinder_gradient, .hessian = 16,
+                            .n_sides = 2, .side = { half_space(0, 0, 1, 1), half_space(0, 0, -1, 1) } }, n);
 }
 
 static Poly cone_along(const Form *f, Poly x, Poly y, Poly z)
@@ -136,8 +147,8 @@ Form form_cone(Arena *a, Net *n)
 {
     Quad profile[2][3] = { { 0, 0, 1 }, { 1, 1, 1 } };
     revolve(a, n, 2, 1, profile);
-    return (Form){ .name = "cone", .along = cone_along, .gradient = cone_gradient, .hessian = 16, .n_sides = 2,
-                   .side = { half_space(0, 0, 1, 0), half_space(0, 0, -1, 1) } };
+    return reaching((Form){ .name = "cone", .along = cone_along, .gradient = cone_gradient, .hessian = 16, .n_sides = 2,
+                            .side = { half_space(0, 0, 1, 0), half_space(0, 0, -1, 1) } }, n);
 }
 
 /* ---- graphs over the square ---- */
@@ -159,15 +170,16 @@ Form form_triangle(Arena *a, Net *n)
     n->p[0] = n->p[1] = (Quad4){ 0, 0, 0, 1 };
     n->p[2] = (Quad4){ 1, 0, 0, 1 }, n->p[3] = (Quad4){ 0, 1, 0, 1 };
     double h = sqrt(.5);
-    return (Form){ .name = "triangle", .along = plane_along, .gradient = plane_gradient, .hessian = 16, .n_sides = 3,
-                   .side = { half_space(1, 0, 0, 0), half_space(0, 1, 0, 0), half_space(-h, -h, 0, h) } };
+    return reaching((Form){ .name = "triangle", .along = plane_along, .gradient = plane_gradient, .hessian = 16,
+                            .n_sides = 3, .side = { half_space(1, 0, 0, 0), half_space(0, 1, 0, 0),
+                                                    half_space(-h, -h, 0, h) } }, n);
 }
 
-static Form on_square(Form f)
+static Form on_square(Form f, const Net *n)
 {
     f.n_sides = 4;
     for (int i = 0; i < 4; i++) f.side[i] = half_space(i == 0 ? 1 : i == 1 ? -1 : 0, i == 2 ? 1 : i == 3 ? -1 : 0, 0, 1);
-    return f;
+    return reaching(f, n);
 }
 
 static Poly minus_height(const Form *f, Poly z, Poly g) { return poly_add(z, poly_scale(g, -f->par[0])); }
@@ -180,7 +192,7 @@ Form form_saddle(Arena *a, double height, Net *n)
     const Term z[2] = { { height, 1, 1 } };
     fill(a, n, 2, 2, term_u, term_v, z);
     return on_square((Form){ .name = "saddle", .along = saddle_along, .gradient = saddle_gradient, .hessian = 16,
-                             .par = { height } });
+                             .par = { height } }, n);
 }
 
 static Poly paraboloid_along(const Form *f, Poly x, Poly y, Poly z) { return minus_height(f, z, square_sum(x, y)); }
@@ -194,7 +206,7 @@ Form form_paraboloid(Arena *a, double height, Net *n)
     const Term z[2] = { { height, 2, 0 }, { height, 0, 2 } };
     fill(a, n, 3, 3, term_u, term_v, z);
     return on_square((Form){ .name = "paraboloid", .along = paraboloid_along, .gradient = paraboloid_gradient, .hessian = 16,
-                             .par = { height } });
+                             .par = { height } }, n);
 }
 
 static Poly monkey_along(const Form *f, Poly x, Poly y, Poly z)
@@ -213,7 +225,7 @@ Form form_monkey(Arena *a, double height, Net *n)
     const Term z[2] = { { height, 3, 0 }, { -3 * (Quad)height, 1, 2 } };
     fill(a, n, 4, 3, term_u, term_v, z);
     return on_square((Form){ .name = "monkey saddle", .along = monkey_along, .gradient = monkey_gradient, .hessian = 16,
-                             .par = { height } });
+                             .par = { height } }, n);
 }
 
 static Poly flat_point_along(const Form *f, Poly x, Poly y, Poly z)
@@ -231,7 +243,7 @@ Form form_flat_point(Arena *a, double height, Net *n)
     const Term z[2] = { { height, 2, 2 } };
     fill(a, n, 4, 4, term_u, term_v, z);
     return on_square((Form){ .name = "flat point", .along = flat_point_along, .gradient = flat_point_gradient, .hessian = 16,
-                             .par = { height } });
+                             .par = { height } }, n);
 }
 
 /* ---- extrusions along z ---- */
@@ -259,10 +271,10 @@ Form form_bend(Arena *a, double weight, Net *n)
         n->p[3 * j + 1] = (Quad4){ 0, 0, weight * z, weight };
     }
     double h = sqrt(.5);
-    return (Form){ .name = "bend", .along = bend_along, .gradient = bend_gradient, .par = { weight },
-                   .hessian = 16 * (Quad)weight * weight, .n_sides = 4,
-                   .side = { half_space(-h, -h, 0, h), half_space(h, h, 0, 0), half_space(0, 0, 1, 1),
-                             half_space(0, 0, -1, 1) } };
+    return reaching((Form){ .name = "bend", .along = bend_along, .gradient = bend_gradient, .par = { weight },
+                            .hessian = 16 * (Quad)weight * weight, .n_sides = 4,
+                            .side = { half_space(-h, -h, 0, h), half_space(h, h, 0, 0), half_space(0, 0, 1, 1),
+                                      half_space(0, 0, -1, 1) } }, n);
 }
 
 /* x^2 = y (y - size)^2, y <= 1 */
@@ -282,8 +294,9 @@ Form form_loop(Arena *a, double size, Net *n)
 {
     const Term x[2] = { { 1, 3, 0 }, { -(Quad)size, 1, 0 } }, y[2] = { { 1, 2, 0 } };
     fill(a, n, 4, 2, x, y, term_v);
-    return (Form){ .name = "loop", .along = loop_along, .gradient = loop_gradient, .hessian = 16, .par = { size },
-                   .n_sides = 3, .side = { half_space(0, -1, 0, 1), half_space(0, 0, 1, 1), half_space(0, 0, -1, 1) } };
+    return reaching((Form){ .name = "loop", .along = loop_along, .gradient = loop_gradient, .hessian = 16, .par = { size },
+                            .n_sides = 3, .side = { half_space(0, -1, 0, 1), half_space(0, 0, 1, 1),
+                                                    half_space(0, 0, -1, 1) } }, n);
 }
 
 static Poly whitney_along(const Form *f, Poly x, Poly y, Poly z)
@@ -302,7 +315,7 @@ Form form_whitney(Arena *a, Net *n)
 {
     const Term x[2] = { { 1, 3, 0 }, { 1, 1, 1 } };   /* u = z, v = y */
     fill(a, n, 4, 2, x, term_v, term_u);
-    return (Form){ .name = "whitney", .along = whitney_along, .gradient = whitney_gradient, .hessian = 16, .n_sides = 4,
-                   .side = { half_space(0, 0, 1, 1), half_space(0, 0, -1, 1), half_space(0, 1, 0, 1),
-                             half_space(0, -1, 0, 1) } };
+    return reaching((Form){ .name = "whitney", .along = whitney_along, .gradient = whitney_gradient, .hessian = 16,
+                            .n_sides = 4, .side = { half_space(0, 0, 1, 1), half_space(0, 0, -1, 1), half_space(0, 1, 0, 1),
+                                                    half_space(0, -1, 0, 1) } }, n);
 }

@@ -14,11 +14,12 @@ struct Form {
     Quad3 (*gradient)(const Form *f, Quad3 p);
     Quad par[1];
     Quad hessian;                /* about the largest second derivative of f */
+    Quad reach;                  /* no point of the shape is farther from the origin */
     int n_sides;
     HalfSpace side[5];
 };
 
-/* All within the cube [-1, 1]^3 or about it. Each fills the net, too. */
+/* |x|, |y| and most |z| are at most 1 or 2. Each fills the net, too. */
 Form form_sphere(Arena *a, Net *n);                              /* unit */
 Form form_torus(Arena *a, double minor, Net *n);                 /* major radius 1 */
 Form form_cylinder(Arena *a, Net *n);                            /* |z| <= 1 */

@@ -4,13 +4,14 @@
  * may not. */
 #include "tests/stress/truth.h"
 
-#define REACH 4              /* forms lie within a ball of this radius about their origin */
+/* How far along the line events may be, in the form's reach: bands are far narrower than the quarter. */
+#define REACH 1.25
 
 typedef struct {
     const FormInWorld *f;
     Quad3 at, dir;           /* local: at + s dir, |dir| = 1 */
     Poly g, slope;
-    Quad band, second_order;
+    Quad band, second_order, reach;
 } Line;
 
 static Quad3 line_at(const Line *l, Quad s) { return quad3_add(l->at, quad3_scale(l->dir, s)); }
@@ -33,7 +34,7 @@ static Quad leave_band(const Line *l, Quad s, Quad step)
     while (is_in_band(l, s + outside)) {
         inside = outside;
         outside *= (Quad)1.5;
-        if (quad_abs(s + outside) > REACH) return step < 0 ? -REACH : REACH;
+        if (quad_abs(s + outside) > l->reach) return step < 0 ? -l->reach : l->reach;
     }
     for (int i = 0; i < 5; i++) {
         Quad middle = (inside + outside) / 2;
@@ -83,8 +84,8 @@ static void kept_distance(const Line *l, const Event *e, Quad *least, Quad *most
 
 static Event root_event(const Line *l, Quad s, const Quad *critical, int n_critical)
 {
-    Quad slope = quad_abs(poly_at(&l->slope, s)), slack = slope > 0 ? l->band * gradient_length(l, s) / slope : REACH;
-    Quad nearest = REACH;
+    Quad slope = quad_abs(poly_at(&l->slope, s)), slack = slope > 0 ? l->band * gradient_length(l, s) / slope : l->reach;
+    Quad nearest = l->reach;
     for (int i = 0; i < n_critical; i++) nearest = quad_min(nearest, quad_abs(critical[i] - s));
     if (slack * 32 < nearest) return (Event){ s, s - slack * (Quad)1.25, s + slack * (Quad)1.25 };
     Quad step = quad_max(quad_min(slack, nearest) / 4, (Quad)1e-30L);
@@ -121,9 +122,10 @@ static void find_events(const Line *l, Quad t_centre, Quad t_unit, Truth *out)
 {
     Quad roots[POLY_MAX], near[POLY_MAX + ALONG];
     Event events[2 * POLY_MAX + ALONG];
-    int n_roots = poly_roots(&l->g, -REACH, REACH, roots), n_near = poly_roots(&l->slope, -REACH, REACH, near), n = 0;
+    int n_roots = poly_roots(&l->g, -l->reach, l->reach, roots);
+    int n_near = poly_roots(&l->slope, -l->reach, l->reach, near), n = 0;
     for (int i = 0; i < n_roots; i++) n = join_event(events, n, root_event(l, roots[i], near, n_near));
-    for (int i = 0; i < ALONG; i++) near[n_near++] = (i - 1) * (Quad)1.75;
+    for (int i = 0; i < ALONG; i++) near[n_near++] = (i - 1) * l->reach / 2;
     for (int i = 0; i < n_near; i++) {
         if (!is_in_band(l, near[i])) continue;
         bool is_seen = false;
@@ -139,12 +141,13 @@ void truth_of_form(const FormInWorld *f, const Ray *r, Truth *out)
 {
     Quad3 o = quad_map_point(&f->to_local, quad3_of(r->origin)), d = quad_map_vector(&f->to_local, quad3_of(r->dir));
     Quad unit = quad3_length(d);
-    Line l = { .f = f, .dir = quad3_scale(d, 1 / unit), .band = truth_band(f, r) };
+    Line l = { .f = f, .dir = quad3_scale(d, 1 / unit), .band = truth_band(f, r),
+               .reach = REACH * f->form.reach };
     Quad centre = -quad3_dot(o, l.dir);
     l.at = quad3_add(o, quad3_scale(l.dir, centre));
     out->n = 0;
     out->length = truth_length(f, r);
-    if (quad3_length(l.at) > REACH) return;
+    if (quad3_length(l.at) > l.reach) return;
     l.g = f->form.along(&f->form, poly_line(l.at.x, l.dir.x), poly_line(l.at.y, l.dir.y), poly_line(l.at.z, l.dir.z));
     l.slope = poly_derivative(l.g);
     Quad stretch = quad3_length(f->to_local.x) + quad3_length(f->to_local.y) + quad3_length(f->to_local.z);

@@ -22,10 +22,10 @@ typedef struct {
     Vec3 to_bvh;                     /* from the tree's base to that of its boxes */
     double variation;                /* that patches may have */
     Arena *own, *lists;
-    Patch *patches;
+    Tile *tiles;
     const TrimCell **cells;
     BvhNode *nodes;
-    size_t n_patches, n_cells, n_nodes, patches_capacity, cells_capacity, nodes_capacity;
+    size_t n_tiles, n_cells, n_nodes, tiles_capacity, cells_capacity, nodes_capacity;
     uint32_t n_cut, n_untested;
     const int *spans_u, *spans_v;    /* indices of the non-empty spans */
 } Preparation;
@@ -47,21 +47,22 @@ static bool join_pair(Preparation *k, uint32_t at, uint32_t pair, bool has_first
     return has_first || has_second;
 }
 
+/* What is cut: where it lies, and which interval of the surface's parameters that is. */
+typedef struct { const Patch *patch; TilePlace place; TrimRect rect; } Part;
+
 /* false: on a closer look it is wholly trimmed away. */
-static bool keep_patch(Preparation *k, uint32_t at, const Vec4 *points, TrimRect r)
+static bool keep_tile(Preparation *k, uint32_t at, const Vec4 *net, const Part *part)
 {
     const Surface *s = k->s;
     const TrimCell *cell = NULL;
-    Patch p;
-    if (s->trims && trim_cell_new(k->own, k->lists, s->trims, r, &cell) == TRIM_CUT) {
+    if (s->trims && trim_cell_new(k->own, k->lists, s->trims, part->rect, &cell) == TRIM_CUT) {
         k->n_cut++;
         return false;
     }
-    patch_make(k->own, s->k_u, s->k_v, points, k->rounding, r, &p);
     k->n_untested += s->trims && !cell;
-    Box hull = box_moved(box_expand(bezier_hull(s->k_u * s->k_v, points), 2 * k->rounding), k->to_bvh);
-    k->nodes[at] = (BvhNode){ hull, (uint32_t)k->n_patches, 1 };
-    ARENA_PUSH(k->lists, k->patches, k->n_patches, k->patches_capacity) = p;
+    Box hull = box_moved(bezier_hull(s->k_u * s->k_v, net), vec_add(part->patch->origin, k->to_bvh));
+    k->nodes[at] = (BvhNode){ box_expand(hull, 2 * k->rounding), (uint32_t)k->n_tiles, 1 };
+    tile_make(part->patch, net, part->place, &ARENA_PUSH(k->lists, k->tiles, k->n_tiles, k->tiles_capacity));
     ARENA_PUSH(k->lists, k->cells, k->n_cells, k->cells_capacity) = cell;
     return true;
 }
@@ -70,7 +71,7 @@ typedef struct { int u, v; } Halvings;
 
 /* Which direction to halve along; false: neither is worth it. Where one is used up, what it would take away stays (a side that
  * collapses to a pole bends by all of itself, however near one looks), and the other is halved for its own share alone. */
-static bool choose_halving(const Preparation *k, PatchBend bend, Halvings left, bool *along_u)
+static bool choose_halving(const Preparation *k, TileBend bend, Halvings left, bool *along_u)
 {
     if (!(bend.variation > k->variation)) return false;
     *along_u = bend.along_u >= bend.along_v;
@@ -79,42 +80,54 @@ static bool choose_halving(const Preparation *k, PatchBend bend, Halvings left, 
     return (*along_u ? left.u : left.v) > 0 && 0.5 * (*along_u ? bend.along_u : bend.along_v) > k->variation;
 }
 
-/* Cuts the points over an interval until each part is worth a frame, below node `at`; `points` is used up. Returns whether
- * anything of it is kept. */
-static bool grow_patch(Preparation *k, uint32_t at, Vec4 *points, TrimRect r, Halvings left)
+/* Cuts the net of a part until each piece is worth a frame, below node `at`; `net` is used up. Returns whether anything of
+ * it is kept. */
+static bool grow_tiles(Preparation *k, uint32_t at, Vec4 *net, Part part, Halvings left)
 {
     const Surface *s = k->s;
-    TrimClass class = s->trims ? trim_class(s->trims, r) : TRIM_KEPT;
+    part.rect = tile_rect(part.patch, part.place);
+    TrimClass class = s->trims ? trim_class(s->trims, part.rect) : TRIM_KEPT;
     k->n_cut += class == TRIM_CUT;
     if (class == TRIM_CUT) return false;
     bool along_u;
-    if (!choose_halving(k, patch_bend(s->k_u, s->k_v, points), left, &along_u)) return keep_patch(k, at, points, r);
+    if (!choose_halving(k, tile_bend(s->k_u, s->k_v, net), left, &along_u)) return keep_tile(k, at, net, &part);
     Vec4 first[NURBS_MAX_ORDER * NURBS_MAX_ORDER];
-    TrimRect a = r, b = r;
+    Part a = part, b = part;
     if (along_u) {
-        a.u1 = b.u0 = r.u0 + 0.5 * (r.u1 - r.u0), left.u--;
-        for (int j = 0; j < s->k_v; j++) bezier_cut(s->k_u, 1, 0.5, points + j * s->k_u, first + j * s->k_u);
+        a.place.ds = b.place.ds = 0.5 * part.place.ds, b.place.s0 += a.place.ds, left.u--;
+        for (int j = 0; j < s->k_v; j++) bezier_cut(s->k_u, 1, 0.5, net + j * s->k_u, first + j * s->k_u);
     } else {
-        a.v1 = b.v0 = r.v0 + 0.5 * (r.v1 - r.v0), left.v--;
-        bezier_cut(s->k_v, s->k_u, 0.5, points, first);
+        a.place.dt = b.place.dt = 0.5 * part.place.dt, b.place.t0 += a.place.dt, left.v--;
+        bezier_cut(s->k_v, s->k_u, 0.5, net, first);
     }
     uint32_t pair = new_pair(k);
-    bool has_a = grow_patch(k, pair, first, a, left), has_b = grow_patch(k, pair + 1, points, b, left);
+    bool has_a = grow_tiles(k, pair, first, a, left), has_b = grow_tiles(k, pair + 1, net, b, left);
     return join_pair(k, at, pair, has_a, has_b);
+}
+
+/* One span: its patch, unless the trims leave nothing of it. */
+static bool grow_span(Preparation *k, uint32_t at, int mu_u, int mu_v)
+{
+    const Surface *s = k->s;
+    TrimRect rect = { s->tau_u[mu_u], s->tau_u[mu_u + 1], s->tau_v[mu_v], s->tau_v[mu_v + 1] };
+    if (s->trims && trim_class(s->trims, rect) == TRIM_CUT) {
+        k->n_cut++;
+        return false;
+    }
+    Vec4 net[NURBS_MAX_ORDER * NURBS_MAX_ORDER];
+    Patch *patch = ARENA_NEW(k->own, Patch);
+    prepare_close_span(s, mu_u, mu_v, net);
+    patch_make(k->own, s->k_u, s->k_v, net, k->rounding, rect, patch);
+    patch->arena = k->own;
+    memcpy(net, patch->p, (size_t)(s->k_u * s->k_v) * sizeof *net);
+    return grow_tiles(k, at, net, (Part){ patch, { 0, 0, 1, 1 }, rect }, (Halvings){ MAX_HALVINGS, MAX_HALVINGS });
 }
 
 typedef struct { int u0, u1, v0, v1; } SpanRange;    /* of spans_u, spans_v */
 
 static bool grow_spans(Preparation *k, uint32_t at, SpanRange r)
 {
-    const Surface *s = k->s;
-    if (r.u1 - r.u0 == 1 && r.v1 - r.v0 == 1) {
-        int i = k->spans_u[r.u0], j = k->spans_v[r.v0];
-        Vec4 points[NURBS_MAX_ORDER * NURBS_MAX_ORDER];
-        prepare_close_span(s, i, j, points);
-        TrimRect rect = { s->tau_u[i], s->tau_u[i + 1], s->tau_v[j], s->tau_v[j + 1] };
-        return grow_patch(k, at, points, rect, (Halvings){ MAX_HALVINGS, MAX_HALVINGS });
-    }
+    if (r.u1 - r.u0 == 1 && r.v1 - r.v0 == 1) return grow_span(k, at, k->spans_u[r.u0], k->spans_v[r.v0]);
     SpanRange a = r, b = r;
     if (r.u1 - r.u0 >= r.v1 - r.v0) a.u1 = b.u0 = r.u0 + (r.u1 - r.u0) / 2;
     else a.v1 = b.v0 = r.v0 + (r.v1 - r.v0) / 2;
@@ -165,7 +178,7 @@ static double coarseness(const Surface *s)
  * about its middle. All others share their space with the trees around them, whose work on a ray is then not done again. */
 #define FAR_OFF 16
 
-void certain_prepare(Arena *a, const Surface *surface, double variation, PatchTree *out)
+void certain_prepare(Arena *a, const Surface *surface, double variation, TileTree *out)
 {
     Preparation k = { .own = a, .lists = arena_new(), .rounding = rounding_of_patches(surface) };
     k.variation = (variation > 0 ? variation : CERTAIN_VARIATION) * coarseness(surface);
@@ -180,10 +193,10 @@ void certain_prepare(Arena *a, const Surface *surface, double variation, PatchTr
     k.spans_v = list_spans(k.lists, s->k_v, s->n_v, s->tau_v, &all.v1);
     uint32_t root = new_pair(&k);
     bool has_any = grow_spans(&k, root, all);
-    *out = (PatchTree){ .base = base, .bvh_base = is_far ? base : nowhere,
-                        .patches = arena_copy(a, k.patches, k.n_patches, sizeof *k.patches),
+    *out = (TileTree){ .base = base, .bvh_base = is_far ? base : nowhere,
+                        .tiles = arena_copy(a, k.tiles, k.n_tiles, sizeof *k.tiles),
                         .cells = arena_copy(a, k.cells, k.n_cells, sizeof *k.cells),
-                        .n_patches = (uint32_t)k.n_patches,
+                        .n_tiles = (uint32_t)k.n_tiles,
                         .bvh = bvh_from_tree(a, k.nodes, has_any ? (uint32_t)k.n_nodes : 0),
                         .n_cut = k.n_cut, .n_untested = k.n_untested };
     arena_free(k.lists);
@@ -194,11 +207,11 @@ void certain_prepare(Arena *a, const Surface *surface, double variation, PatchTr
 typedef struct Search Search;
 struct Search {
     const Surface *s;
-    const PatchTree *tree;
+    const TileTree *tree;
     PatchRay ray;
     double *t_max;            /* the traversal's, in units of the ray's direction */
     double length;            /* of that direction */
-    uint32_t patch;           /* being solved */
+    uint32_t tile;            /* being solved */
     Trace *trace;
     bool (*take)(Search *k, const Root *root, const CertainHit *hit);   /* a root that no trim cuts away; true: enough */
     bool found;
@@ -207,35 +220,35 @@ struct Search {
     Arena *overflow;          /* what its first room does not hold */
 };
 
-static double lerp(double a, double b, double x) { return x >= 1 ? b : a + x * (b - a); }
-
 /* Faces that share an edge have trims that lie along the same curve in space, but not in the same parameters: where each
  * says that the other has the point, a ray would pass between them. So a root counts as kept if a trim passes as near as the
  * root is uncertain: `distance` in space, through the lengths of the derivatives at the middle, and the last bits of u and
  * v. */
-static bool is_near_trim(const TrimTree *trims, const Patch *p, const Root *root, double u, double v)
+static bool is_near_trim(const TrimTree *trims, const Tile *f, const Root *root, double u, double v)
 {
-    double du = root->distance * (p->u1 - p->u0) / (2 * p->half_u) + 2 * DBL_EPSILON * fabs(u);
-    double dv = root->distance * (p->v1 - p->v0) / (2 * p->half_v) + 2 * DBL_EPSILON * fabs(v);
+    const Patch *p = f->patch;
+    double du = root->distance * f->ds * (p->u1 - p->u0) / (2.0 * f->length_s) + 2 * DBL_EPSILON * fabs(u);
+    double dv = root->distance * f->dt * (p->v1 - p->v0) / (2.0 * f->length_t) + 2 * DBL_EPSILON * fabs(v);
     TrimRect band = { u - du, u + du, v - dv, v + dv };
     return trim_class(trims, band) != TRIM_CUT;    /* a collapsed side makes the band infinite: mixed */
 }
 
-static bool accept_root(void *context, const Patch *p, PatchRay *ray, const Root *root)
+static bool accept_root(void *context, const Tile *f, PatchRay *ray, const Root *root)
 {
     Search *k = context;
     (void)ray;
     Counters *count = &k->trace->counters;
     count->nurbs_hits++;
-    double u = lerp(p->u0, p->u1, root->s), v = lerp(p->v0, p->v1, root->t);
-    const TrimCell *cell = k->tree->cells[k->patch];
+    double u = patch_u(f->patch, f->s0 + root->s * f->ds), v = patch_v(f->patch, f->t0 + root->t * f->dt);
+    const TrimCell *cell = k->tree->cells[k->tile];
     if (cell) {
         count->trim_tests++;
-        if (!trim_cell_keeps(cell, u, v) && !is_near_trim(k->s->trims, p, root, u, v)) return false;
+        if (!trim_cell_keeps(cell, u, v) && !is_near_trim(k->s->trims, f, root, u, v)) return false;
     }
     count->reported_hits++;
     k->found = true;
-    CertainHit hit = { u, v, root->depth / k->length, root->distance / k->length, root->depth_error / k->length, k->patch };
+    CertainHit hit = { .u = u, .v = v, .t = root->depth / k->length, .t_error = root->distance / k->length,
+                       .depth_error = root->depth_error / k->length, .tile = k->tile, .part = f };
     return k->take(k, root, &hit);
 }
 
@@ -251,18 +264,18 @@ static bool take_nearest(Search *k, const Root *root, const CertainHit *hit)
     k->nearest = *hit;
     k->ray.t_max = root->depth;
     *k->t_max = hit->t;
-    t->root.leaf = &k->tree->patches[k->patch], t->root.s = root->s, t->root.t = root->t, t->root.seed = t->seed;
+    t->root.leaf = hit->part, t->root.s = root->s, t->root.t = root->t, t->root.seed = t->seed;
     return false;
 }
 
-static bool visit_patch(void *context, uint32_t i, const Ray *r, double *t_max, Trace *t)
+static bool visit_tile(void *context, uint32_t i, const Ray *r, double *t_max, Trace *t)
 {
     Search *k = context;
     (void)r;
-    k->t_max = t_max, k->patch = i, k->trace = t;
+    k->t_max = t_max, k->tile = i, k->trace = t;
     t->counters.nurbs_tests++;
     double begin = t->measures_time ? stats_now() : 0;
-    bool ended = patch_roots(&k->tree->patches[i], &k->ray, accept_root, k, t);
+    bool ended = tile_roots(&k->tree->tiles[i], &k->ray, accept_root, k, t);
     if (t->measures_time) t->counters.nurbs_seconds += stats_now() - begin;
     return ended;
 }
@@ -278,7 +291,7 @@ static double use_frame(const Ray *r, Trace *t)
     return t->frame.length;
 }
 
-static bool search_patches(Search *k, const Ray *r, double t_max, Trace *t)
+static bool search_tiles(Search *k, const Ray *r, double t_max, Trace *t)
 {
     if (!vec_is_finite(r->origin) || !vec_is_finite(r->dir)) return false;
     k->length = use_frame(r, t);
@@ -286,22 +299,22 @@ static bool search_patches(Search *k, const Ray *r, double t_max, Trace *t)
     k->ray = (PatchRay){ .origin = vec_sub(r->origin, k->tree->base), .d = t->frame.d, .n1 = t->frame.n1, .n2 = t->frame.n2,
                          .t_min = r->t_min * k->length, .t_max = t_max * k->length };
     if (t->root.seed == t->seed) k->ray.guess = t->root.leaf, k->ray.guess_s = t->root.s, k->ray.guess_t = t->root.t;
-    bvh_traverse(k->tree->bvh, &in_bvh, &t_max, visit_patch, k, t);
+    bvh_traverse(k->tree->bvh, &in_bvh, &t_max, visit_tile, k, t);
     return k->found;
 }
 
-bool certain_nearest(const Surface *s, const PatchTree *tree, const Ray *r, double t_max, Trace *t, CertainHit *out)
+bool certain_nearest(const Surface *s, const TileTree *tree, const Ray *r, double t_max, Trace *t, CertainHit *out)
 {
     Search k = { .s = s, .tree = tree, .take = take_nearest };
-    if (!search_patches(&k, r, t_max, t)) return false;
+    if (!search_tiles(&k, r, t_max, t)) return false;
     *out = k.nearest;
     return true;
 }
 
-bool certain_any(const Surface *s, const PatchTree *tree, const Ray *r, double t_max, Trace *t)
+bool certain_any(const Surface *s, const TileTree *tree, const Ray *r, double t_max, Trace *t)
 {
     Search k = { .s = s, .tree = tree, .take = take_any };
-    return search_patches(&k, r, t_max, t);
+    return search_tiles(&k, r, t_max, t);
 }
 
 /* ---- all hits ---- */
@@ -331,29 +344,33 @@ static bool is_near_end(double x, double x0, double x1)
     return double_min(fabs(x - x0), fabs(x - x1)) <= SAME_PLACE * (x1 - x0);
 }
 
-static bool is_on_border(const Patch *p, const CertainHit *h)
+static TrimRect rect_of(const Tile *f) { return tile_rect(f->patch, (TilePlace){ f->s0, f->t0, f->ds, f->dt }); }
+
+static bool is_on_border(const CertainHit *h)
 {
-    return is_near_end(h->u, p->u0, p->u1) || is_near_end(h->v, p->v0, p->v1);
+    TrimRect r = rect_of(h->part);
+    return is_near_end(h->u, r.u0, r.u1) || is_near_end(h->v, r.v0, r.v1);
 }
 
 /* One root that two neighbours found on their common border (or one patch, on a collapsed side or its own seam), that a
  * tangency left in several boxes, or that patches which meet at a pole found beside it: at one depth a surface is not
  * entered twice. */
-static bool is_same_root(const PatchTree *tree, const Ray *r, const CertainHit *a, const CertainHit *b)
+static bool is_same_root(const TileTree *tree, const Ray *r, const CertainHit *a, const CertainHit *b)
 {
     if (!(b->t - a->t <= a->depth_error + b->depth_error)) return false;
-    const Patch *p = &tree->patches[a->patch], *q = &tree->patches[b->patch];
-    if (is_on_border(p, a) && is_on_border(q, b)) return true;
-    Vec3 n_a = certain_normal(tree, a->patch, a->u, a->v), n_b = certain_normal(tree, b->patch, b->u, b->v);
+    if (is_on_border(a) && is_on_border(b)) return true;
+    Vec3 n_a = certain_normal(tree, a->tile, a->u, a->v), n_b = certain_normal(tree, b->tile, b->u, b->v);
     if (vec_dot(n_a, r->dir) * vec_dot(n_b, r->dir) > 0) return true;
-    return p == q && fabs(a->u - b->u) <= SAME_PLACE * (p->u1 - p->u0) && fabs(a->v - b->v) <= SAME_PLACE * (p->v1 - p->v0);
+    TrimRect p = rect_of(a->part);
+    return a->part == b->part
+        && fabs(a->u - b->u) <= SAME_PLACE * (p.u1 - p.u0) && fabs(a->v - b->v) <= SAME_PLACE * (p.v1 - p.v0);
 }
 
-void certain_all(const Surface *s, const PatchTree *tree, const Ray *r, double t_max, Trace *t, CertainList *out)
+void certain_all(const Surface *s, const TileTree *tree, const Ray *r, double t_max, Trace *t, CertainList *out)
 {
     *out = (CertainList){ ARENA_ARRAY(t->scratch, CertainHit, FIRST_ROOM), 0, FIRST_ROOM };
     Search k = { .s = s, .tree = tree, .take = take_all, .all = out };
-    search_patches(&k, r, t_max, t);
+    search_tiles(&k, r, t_max, t);
     if (k.overflow) out->hits = arena_copy(t->scratch, out->hits, out->n, sizeof *out->hits);
     arena_free(k.overflow);
     if (out->n == 0) return;
@@ -364,8 +381,8 @@ void certain_all(const Surface *s, const PatchTree *tree, const Ray *r, double t
     out->n = n;
 }
 
-Vec3 certain_normal(const PatchTree *tree, uint32_t i, double u, double v)
+Vec3 certain_normal(const TileTree *tree, uint32_t i, double u, double v)
 {
-    const Patch *p = &tree->patches[i];
+    const Patch *p = tree->tiles[i].patch;
     return patch_normal(p, (u - p->u0) / (p->u1 - p->u0), (v - p->v0) / (p->v1 - p->v0));
 }

@@ -1,4 +1,4 @@
-/* `method certain`: a surface as a tree of Bézier patches, searched without a miss. */
+/* `method certain`: a surface as a tree of tiles of its Bézier patches, searched without a miss. */
 #ifndef TRIMRAY_CERTAIN_H
 #define TRIMRAY_CERTAIN_H
 
@@ -9,40 +9,42 @@
 
 typedef struct {
     Vec3 base;                       /* what is below is about this point: far from the origin nothing is lost */
-    const Patch *patches;
-    const TrimCell *const *cells;    /* what the trims say in each patch; NULL: it is wholly kept */
-    uint32_t n_patches;
-    const Bvh *bvh;                  /* item i is patches[i] */
+    const Tile *tiles;
+    const TrimCell *const *cells;    /* what the trims say in each tile; NULL: it is wholly kept */
+    uint32_t n_tiles;
+    const Bvh *bvh;                  /* item i is tiles[i] */
     Vec3 bvh_base;                   /* its boxes are about this point: 0, or the base of a surface that is far off */
     uint32_t n_cut, n_untested;      /* dropped because trimmed away; kept without a trim test on a trimmed surface */
-} PatchTree;
+} TileTree;
 
-/* The certificate then holds for all rays but those within some asin(0.35) of the patch's tangent planes. */
+/* The certificate then holds for all rays but those within some asin(0.35) of the tile's tangent planes. */
 #define CERTAIN_VARIATION 0.35
 
-/* Cuts the surface into patches whose frames settle most rays, drops those that are trimmed away, and builds the tree. A
- * patch is halved until its derivatives vary by at most `variation` of themselves; 0: CERTAIN_VARIATION. Hits depend on it
- * in their last bits only, time and memory do. The result lies in `a`. Linear in the number of spans. */
-void certain_prepare(Arena *a, const Surface *surface, double variation, PatchTree *out);
+/* Cuts the surface into tiles whose frames settle most rays, drops those that are trimmed away, and builds the tree. A
+ * tile is halved until its derivatives vary by at most `variation` of themselves; 0: CERTAIN_VARIATION. Hits depend on it
+ * in their last bits only, time and memory do. The result lies in `a`, and so will what rays ask for later. Linear in the
+ * number of spans. */
+void certain_prepare(Arena *a, const Surface *surface, double variation, TileTree *out);
 
 typedef struct {
     double u, v;                     /* parameters of the surface */
     double t, t_error;               /* in units of the ray's direction; as Hit has them */
     double depth_error;              /* |t - true t| is at most this */
-    uint32_t patch;
+    uint32_t tile;                   /* of the tree's, */
+    const Tile *part;                /* and which part of it */
 } CertainHit;
 
 /* The nearest hit in the open interval (r->t_min, t_max) that no trim cuts away; counts into t. */
-bool certain_nearest(const Surface *s, const PatchTree *tree, const Ray *r, double t_max, Trace *t, CertainHit *out);
+bool certain_nearest(const Surface *s, const TileTree *tree, const Ray *r, double t_max, Trace *t, CertainHit *out);
 
 /* Is there any hit in (r->t_min, t_max)? */
-bool certain_any(const Surface *s, const PatchTree *tree, const Ray *r, double t_max, Trace *t);
+bool certain_any(const Surface *s, const TileTree *tree, const Ray *r, double t_max, Trace *t);
 
 /* All hits in (r->t_min, t_max), ascending, each once, in t->scratch. */
 typedef struct { CertainHit *hits; size_t n, capacity; } CertainList;
-void certain_all(const Surface *s, const PatchTree *tree, const Ray *r, double t_max, Trace *t, CertainList *out);
+void certain_all(const Surface *s, const TileTree *tree, const Ray *r, double t_max, Trace *t, CertainList *out);
 
-/* The unit normal S_u x S_v at (u, v) of patch i; where it vanishes (a pole, a collapsed side), its limit from within. */
-Vec3 certain_normal(const PatchTree *tree, uint32_t i, double u, double v);
+/* The unit normal S_u x S_v at (u, v) of tile i; where it vanishes (a pole, a collapsed side), its limit from within. */
+Vec3 certain_normal(const TileTree *tree, uint32_t i, double u, double v);
 
 #endif

@@ -7,7 +7,7 @@
 #ifndef TRIMRAY_CERTIFY_H
 #define TRIMRAY_CERTIFY_H
 
-#include "nurbs/patch.h"
+#include "nurbs/tile.h"
 #include "render/shape.h"
 
 /* A ray as two planes and a direction: an orthonormal frame, made once per ray and surface. */
@@ -15,7 +15,7 @@ typedef struct {
     Vec3 origin, d;          /* d: unit */
     Vec3 n1, n2;             /* unit, perpendicular to d and to each other */
     double t_min, t_max;     /* along d; t_max shrinks as roots are accepted */
-    const Patch *guess;      /* on this patch start from (guess_s, guess_t): the ray comes from there. NULL: none */
+    const Tile *guess;       /* on this tile start from (guess_s, guess_t): the ray comes from there. NULL: none */
     double guess_s, guess_t;
 } PatchRay;
 
@@ -40,11 +40,12 @@ typedef struct {
 } Root;
 
 /* Called for each root in (t_min, t_max), in no order. It may lower ray->t_max. Returns true to end the search. */
-typedef bool (*RootVisit)(void *context, const Patch *p, PatchRay *ray, const Root *root);
+typedef bool (*RootVisit)(void *context, const Tile *tile, PatchRay *ray, const Root *root);
 
-/* All roots on the closed patch; one on a border may also be found on the neighbour. Returns whether a visit ended it.
- * Counts certificates, fallbacks and iterations into t. */
-bool patch_roots(const Patch *p, PatchRay *ray, RootVisit visit, void *context, Trace *t);
+/* All roots on the closed tile; one on a border may also be found on the neighbour. The visitor is told the tile, or a
+ * part of it, whose parameters the root has. Returns whether a visit ended it. Counts certificates, fallbacks and iterations
+ * into t. */
+bool tile_roots(const Tile *tile, PatchRay *ray, RootVisit visit, void *context, Trace *t);
 
 /* Rounding error of the plane equations over the weight: |computed N.(S - o) - true| <= this, for S on the patch. */
 double patch_rounding(const Patch *p, Vec3 offset);

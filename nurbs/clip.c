@@ -18,8 +18,8 @@
 #include <string.h>
 
 #define ON_THE_RAY 1.25      /* a box whose coefficients are within that many errors of zero cannot be told from the ray */
-/* A box on the ray that is longer than this, in radii of the patch, is no tangent point (those are some 2^-26 long, 2^-17 at
- * a cusp): the ray runs in the surface there, and the hit is where it enters. Boxes that a trim declines are not cut up
+/* A box on the ray that is longer than this share of the tile's shorter side is no tangent point (those are some 2^-26 long,
+ * 2^-17 at a cusp): the ray runs in the surface there, and the hit is where it enters. Boxes that a trim declines are not cut up
  * without end. */
 #define IN_THE_SURFACE 0x1p-8
 enum { MAX_DECLINED = 64 };
@@ -38,7 +38,8 @@ typedef struct {
 } Net;
 
 typedef struct {
-    const Patch *p;
+    const Tile *tile;
+    const Patch *p;          /* the tile's */
     PatchRay *ray;
     RootVisit visit;
     void *context;
@@ -133,7 +134,7 @@ static Place place_at(const Clip *k, double s, double t)
 {
     const PatchRay *r = k->ray;
     Vec4 value, by_s, by_t;
-    patch_evaluate(k->p, s, t, &value, &by_s, &by_t);
+    tile_evaluate(k->tile, s, t, &value, &by_s, &by_t);
     Vec3 o = vec_sub(r->origin, k->p->origin), at = vec_sub(vec4_project(value), o);
     Vec3 d_s = vec_sub(vec(by_s.x, by_s.y, by_s.z), vec_scale(vec4_project(value), by_s.w));    /* w S_s */
     Vec3 d_t = vec_sub(vec(by_t.x, by_t.y, by_t.z), vec_scale(vec4_project(value), by_t.w));
@@ -180,7 +181,7 @@ static bool report_at(const Clip *k, const Place *at, double depth_error, bool i
     Root root = { .s = at->s, .t = at->t, .depth = at->depth, .depth_error = depth_error,
                   .distance = 2 * k->rounding + sqrt(residual2(at)), .is_tangent = is_tangent };
     double t_max = k->ray->t_max;
-    bool ended = k->visit(k->context, k->p, k->ray, &root);
+    bool ended = k->visit(k->context, k->tile, k->ray, &root);
     *k->declined += k->ray->t_max >= t_max;
     return ended;
 }
@@ -219,12 +220,19 @@ static bool finish(const Clip *k, const Net *n, Place *root)
     return false;
 }
 
+/* At the middle; of a tile that is a curve there, the one side that it has. */
+static double shorter_side(const Tile *f)
+{
+    double a = 2.0 * f->length_s, b = 2.0 * f->length_t;
+    return a > 0 && b > 0 ? double_min(a, b) : double_max(a, b);
+}
+
 /* Is a box on the ray to be cut further, to find where the ray enters the surface? */
 static bool runs_in_surface(const Clip *k, Net *n, Range depth)
 {
     double length = depth.hi - depth.lo;
-    if (*k->declined >= MAX_DECLINED) return length > k->p->radius / 16;
-    n->is_in_surface = n->is_in_surface || length > IN_THE_SURFACE * k->p->radius;
+    if (*k->declined >= MAX_DECLINED) return length > k->tile->radius / 16;
+    n->is_in_surface = n->is_in_surface || length > IN_THE_SURFACE * shorter_side(k->tile);
     return n->is_in_surface && length > 4 * k->rounding;
 }
 
@@ -419,24 +427,37 @@ static bool settle(const Clip *k, Net *n)
     return ended;
 }
 
-bool clip_roots(const Patch *p, PatchRay *ray, RootVisit visit, void *context, Trace *trace)
+/* The net over the tile: that of the patch, restricted. */
+static Net first_net(const Clip *k, double q1, double q2, double q3)
 {
-    Vec3 o = vec_sub(ray->origin, p->origin);
-    int declined = 0, patience = PATIENCE;
-    bool was_halved = false;
-    Clip k = { p, ray, visit, context, trace, patch_rounding(p, o), p->k_u * p->k_v, &declined, &was_halved, &patience };
-    double q1 = vec_dot(ray->n1, o), q2 = vec_dot(ray->n2, o), q3 = vec_dot(ray->d, o);
-    ArenaMark mark = arena_mark(trace->scratch);
-    Net n = net_new(&k);
+    const Tile *f = k->tile;
+    const PatchRay *ray = k->ray;
+    Net n = net_new(k);
     n.s0 = n.t0 = 0, n.s1 = n.t1 = 1, n.is_certified = n.is_in_surface = false;
-    for (int i = 0; i < k.n; i++) {
-        Vec4 h = p->p[i];
+    for (int i = 0; i < k->n; i++) {
+        Vec4 h = k->p->p[i];
         Vec3 x = vec(h.x, h.y, h.z);
         n.a[i] = vec_dot(ray->n1, x) - h.w * q1;
         n.b[i] = vec_dot(ray->n2, x) - h.w * q2;
         n.c[i] = vec_dot(ray->d, x) - h.w * q3;
         n.w[i] = h.w;
     }
+    restrict_s(k, &n, f->s0, f->s0 + f->ds);
+    restrict_t(k, &n, f->t0, f->t0 + f->dt);
+    n.s0 = n.t0 = 0, n.s1 = n.t1 = 1;
+    return n;
+}
+
+bool clip_roots(const Tile *tile, PatchRay *ray, RootVisit visit, void *context, Trace *trace)
+{
+    const Patch *p = tile->patch;
+    Vec3 o = vec_sub(ray->origin, p->origin);
+    int declined = 0, patience = PATIENCE;
+    bool was_halved = false;
+    Clip k = { tile, p, ray, visit, context, trace, patch_rounding(p, o), p->k_u * p->k_v,
+               &declined, &was_halved, &patience };
+    ArenaMark mark = arena_mark(trace->scratch);
+    Net n = first_net(&k, vec_dot(ray->n1, o), vec_dot(ray->n2, o), vec_dot(ray->d, o));
     bool ended = settle_in_scratch(&k, &n);
     arena_reset(trace->scratch, mark);
     return ended;

@@ -9,6 +9,6 @@
 
 #include "nurbs/certify.h"
 
-bool clip_roots(const Patch *p, PatchRay *ray, RootVisit visit, void *context, Trace *t);
+bool clip_roots(const Tile *tile, PatchRay *ray, RootVisit visit, void *context, Trace *t);
 
 #endif

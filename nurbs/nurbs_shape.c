@@ -10,7 +10,7 @@ typedef struct {
     const Surface *surface;
     NurbsOptions options;
     LeafTree leaves;             /* after preparation by `method paper` */
-    PatchTree patches;           /* by `method certain` */
+    TileTree tiles;              /* by `method certain` */
     double prep_seconds;
 } NurbsShape;
 
@@ -36,7 +36,7 @@ static void certain_shape_prepare(Shape *s, Arena *own, Trace *t)
     NurbsShape *n = (NurbsShape *)s;
     double begin = stats_now();
     (void)t;
-    certain_prepare(own, n->surface, n->options.leaf_variation, &n->patches);
+    certain_prepare(own, n->surface, n->options.leaf_variation, &n->tiles);
     n->prep_seconds = stats_now() - begin;
 }
 
@@ -44,25 +44,25 @@ static bool certain_shape_hit(const Shape *s, const Ray *r, Hit *best, Trace *t)
 {
     const NurbsShape *n = (const NurbsShape *)s;
     CertainHit hit;
-    if (!certain_nearest(n->surface, &n->patches, r, best->t, t, &hit)) return false;
-    hit_set(best, hit.t, hit.t_error, hit.u, hit.v, s, hit.patch);
+    if (!certain_nearest(n->surface, &n->tiles, r, best->t, t, &hit)) return false;
+    hit_set(best, hit.t, hit.t_error, hit.u, hit.v, s, hit.tile);
     return true;
 }
 
 static bool certain_shape_blocks(const Shape *s, const Ray *r, double t_max, Trace *t)
 {
     const NurbsShape *n = (const NurbsShape *)s;
-    return certain_any(n->surface, &n->patches, r, t_max, t);
+    return certain_any(n->surface, &n->tiles, r, t_max, t);
 }
 
 static void certain_shape_all_hits(const Shape *s, const Ray *r, HitList *out, Trace *t)
 {
     const NurbsShape *n = (const NurbsShape *)s;
     CertainList list;
-    certain_all(n->surface, &n->patches, r, out->t_max, t, &list);
+    certain_all(n->surface, &n->tiles, r, out->t_max, t, &list);
     for (size_t i = 0; i < list.n; i++) {
         const CertainHit *h = &list.hits[i];
-        hit_set(hit_list_add(out), h->t, h->t_error, h->u, h->v, s, h->patch);
+        hit_set(hit_list_add(out), h->t, h->t_error, h->u, h->v, s, h->tile);
     }
 }
 
@@ -70,7 +70,7 @@ static void certain_shape_attributes(const Shape *s, const Ray *r, const Hit *h,
 {
     const NurbsShape *n = (const NurbsShape *)s;
     (void)r;
-    attributes_at(n, h, certain_normal(&n->patches, h->leaf, h->u, h->v), out);
+    attributes_at(n, h, certain_normal(&n->tiles, h->leaf, h->u, h->v), out);
 }
 
 static const ShapeType certain_type = {
@@ -142,9 +142,9 @@ bool nurbs_shape_info(const Shape *shape, NurbsInfo *out)
     out->was_prepared = shape_was_prepared(shape);
     if (!out->was_prepared) return true;
     bool is_paper = shape->type == &paper_type;
-    out->n_leaves = (int)(is_paper ? n->leaves.n_leaves : n->patches.n_patches);
-    out->n_leaves_trimmed_away = (int)(is_paper ? n->leaves.n_cut : n->patches.n_cut);
-    out->n_leaves_untested = (int)(is_paper ? n->leaves.n_untested : n->patches.n_untested);
+    out->n_leaves = (int)(is_paper ? n->leaves.n_leaves : n->tiles.n_tiles);
+    out->n_leaves_trimmed_away = (int)(is_paper ? n->leaves.n_cut : n->tiles.n_cut);
+    out->n_leaves_untested = (int)(is_paper ? n->leaves.n_untested : n->tiles.n_untested);
     out->prep_seconds = n->prep_seconds;
     out->bytes = arena_bytes(shape->own);
     return true;

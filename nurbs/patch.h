@@ -1,8 +1,7 @@
-/* A rational Bézier patch about its own origin, with what decides most rays at sight: the leaf of `method certain`.
+/* A rational Bézier patch about its own origin: one span of a surface.
  *
- * Parameters here are local: s, t in [0, 1] over the patch; u = u0 + s (u1 - u0), v likewise. Points are homogeneous
- * {w(x - ox), w(y - oy), w(z - oz), w} about origin = S(1/2, 1/2), so that nothing cancels later when the patch lies far
- * from the origin of the scene. */
+ * Parameters here are local: s, t in [0, 1] over the patch. Points are homogeneous {w(x - ox), w(y - oy), w(z - oz), w}
+ * about origin = S(1/2, 1/2), so that nothing cancels later when the patch lies far from the origin of the scene. */
 #ifndef TRIMRAY_PATCH_H
 #define TRIMRAY_PATCH_H
 
@@ -12,10 +11,6 @@
 
 #include <stdbool.h>
 
-/* How far beyond [0, 1] the frame's bounds still hold: a root that Newton finds just outside the patch proves that there is
- * none inside, if the map is one-to-one on the larger square. */
-#define PATCH_MARGIN 0.0625
-
 typedef struct {
     int k_u, k_v;                 /* orders */
     Vec3 origin;
@@ -23,27 +18,21 @@ typedef struct {
     bool is_polynomial;           /* every w is 1 */
     double u0, u1, v0, v1;        /* its interval of the surface's parameters */
     double rounding;              /* how far its points may be from where exact arithmetic has them */
-    double radius;                /* |S(s, t) - origin| <= radius, with the margin */
-    double w_max, w_middle;       /* largest weight, and the weight at the middle (1 where is_polynomial) */
-
-    /* The frame: S(s, t) = origin + (2s-1) half_u e_u + (2t-1) half_v e_v + r, |r| <= deviation on the patch. */
-    bool has_frame;               /* both derivatives at the middle are not zero */
-    Vec3 e_u, e_v;                /* unit */
-    double half_u, half_v;        /* |S_s| / 2, |S_t| / 2 at the middle */
-    double deviation;
-    /* The derivatives of the homogeneous numerator w (S - x), for any x within `radius` of the origin, stay within
-     * variation * |the one at the middle|, both columns together (root of the sum of squares), with the margin. */
-    double variation;
+    double radius;                /* |S(s, t) - origin| <= radius */
+    double w_max;                 /* the largest weight */
+    Arena *arena;                 /* for parts of it that rays ask for later (tile.c); NULL: none are made */
 } Patch;
 
 /* Fills *out from k_u * k_v homogeneous points {wx, wy, wz, w} of positive weight, u fastest; the points are copied.
  * `rounding` is their error: patches that share a border agree within theirs, and no ray passes between. */
 void patch_make(Arena *a, int k_u, int k_v, const Vec4 *points, double rounding, TrimRect interval, Patch *out);
 
-/* Before it is worth a frame: about how much `variation` would be, and the shares of it that halving along u, along v would
- * halve. For k_u * k_v homogeneous points, as patch_make takes them. */
-typedef struct { double variation, along_u, along_v; } PatchBend;
-PatchBend patch_bend(int k_u, int k_v, const Vec4 *points);
+/* Moves a net (k_u * k_v points) to its own middle, which becomes p->origin, and p->p. */
+void patch_move_origin(Patch *p, Vec4 *net);
+
+/* The surface's parameters of a place in the patch: monotone, and exact at the ends. */
+static inline double patch_u(const Patch *p, double s) { return s >= 1 ? p->u1 : p->u0 + s * (p->u1 - p->u0); }
+static inline double patch_v(const Patch *p, double t) { return t >= 1 ? p->v1 : p->v0 + t * (p->v1 - p->v0); }
 
 /* Bernstein polynomials of order k and their derivatives at x (any real number): b and d have room for k. */
 void bernstein(int k, double x, double b[], double d[]);

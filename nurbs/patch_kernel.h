@@ -4,7 +4,7 @@
 #define TRIMRAY_PATCH_KERNEL_H
 
 #include "nurbs/nurbs.h"
-#include "nurbs/patch.h"
+#include "nurbs/tile.h"
 #include "render/simd.h"
 
 typedef struct { V4 value, by_s, by_t; } PatchPoint;
@@ -58,6 +58,13 @@ ALWAYS_INLINE PatchPoint kernel_evaluate(const Patch *p, double s, double t)
     if (p->k_u == 2 && p->k_v == 2) return kernel_blend(p, 2, 2, s, t);
     if (p->k_u == 3 && p->k_v == 4) return kernel_blend(p, 3, 4, s, t);
     return kernel_blend(p, p->k_u, p->k_v, s, t);
+}
+
+/* The same at a place of a tile, by the tile's parameters. */
+ALWAYS_INLINE PatchPoint kernel_tile(const Tile *f, double s, double t)
+{
+    PatchPoint at = kernel_evaluate(f->patch, f->s0 + s * f->ds, f->t0 + t * f->dt);
+    return (PatchPoint){ at.value, at.by_s * (double)f->ds, at.by_t * (double)f->dt };
 }
 
 #endif

@@ -25,8 +25,19 @@ static int tear_down(void **state)
     return 0;
 }
 
+/* A patch in an arena, and the tile that is all of it. */
+static Tile *new_tile(Fixture *f, int k_u, int k_v, const Vec4 *p, TrimRect rect)
+{
+    Patch *patch = ARENA_NEW(f->arena, Patch);
+    Tile *tile = ARENA_NEW(f->arena, Tile);
+    patch_make(f->arena, k_u, k_v, p, 0, rect, patch);
+    patch->arena = f->arena;
+    tile_make(patch, patch->p, (TilePlace){ 0, 0, 1, 1 }, tile);
+    return tile;
+}
+
 /* A height field over the unit square, orders 2 to 6, weights within a factor `ratio` of each other, anywhere in space. */
-static Patch random_patch(Fixture *f, TestRandom *r, double bump, double ratio)
+static Tile *random_tile(Fixture *f, TestRandom *r, double bump, double ratio)
 {
     int k_u = test_int(r, 2, 6), k_v = test_int(r, 2, 6);
     Vec4 p[36];
@@ -37,16 +48,25 @@ static Patch random_patch(Fixture *f, TestRandom *r, double bump, double ratio)
             p[j * k_u + i] = vec4_weighted(vec4(shift.x + i / (k_u - 1.0), shift.y + j / (k_v - 1.0),
                                                 shift.z + test_range(r, -bump, bump), w));
         }
-    Patch out;
-    patch_make(f->arena, k_u, k_v, p, 0, (TrimRect){ 0, 1, 0, 1 }, &out);
-    return out;
+    return new_tile(f, k_u, k_v, p, (TrimRect){ 0, 1, 0, 1 });
 }
 
-static Vec3 point_of(const Patch *p, double s, double t)   /* about the patch's origin */
+static Vec3 from_floats(const float x[3]) { return vec(x[0], x[1], x[2]); }
+
+static Vec3 point_of(const Tile *f, double s, double t)   /* about the tile's middle */
 {
     Vec4 value, by_s, by_t;
-    patch_evaluate(p, s, t, &value, &by_s, &by_t);
-    return vec4_project(value);
+    tile_evaluate(f, s, t, &value, &by_s, &by_t);
+    return vec_sub(vec4_project(value), from_floats(f->middle));
+}
+
+static Vec3 middle_of(const Tile *f) { return vec_add(f->patch->origin, from_floats(f->middle)); }
+
+/* A part of a tile, some halvings down. */
+static const Tile *random_part(TestRandom *r, const Tile *tile)
+{
+    for (int n = test_int(r, 0, 4); n > 0; n--) tile = &tile_halves(tile)[test_int(r, 0, 1)];
+    return tile;
 }
 
 static Vec3 random_direction(TestRandom *r)
@@ -59,7 +79,7 @@ static Vec3 random_direction(TestRandom *r)
 
 typedef struct { int n; double s[64], t[64], depth[64], error[64]; } Found;
 
-static bool collect(void *context, const Patch *p, PatchRay *ray, const Root *root)
+static bool collect(void *context, const Tile *p, PatchRay *ray, const Root *root)
 {
     Found *f = context;
     (void)p, (void)ray;
@@ -68,7 +88,7 @@ static bool collect(void *context, const Patch *p, PatchRay *ray, const Root *ro
     return false;
 }
 
-static bool keep_nearest(void *context, const Patch *p, PatchRay *ray, const Root *root)
+static bool keep_nearest(void *context, const Tile *p, PatchRay *ray, const Root *root)
 {
     double *nearest = context;
     (void)p;
@@ -97,42 +117,44 @@ static void bernstein_polynomials_sum_to_one_and_their_derivatives_to_zero(void 
     }
 }
 
-static void the_radius_and_the_deviation_bound_the_patch(void **state)
+static void the_radius_and_the_deviation_bound_the_tile(void **state)
 {
     Fixture *f = *state;
     for (unsigned seed = 0; seed < 300; seed++) {
         TestRandom r = test_random(seed);
-        Patch p = random_patch(f, &r, 0.5, seed % 2 ? 1 : 20);
+        const Tile *p = random_part(&r, random_tile(f, &r, 0.5, seed % 2 ? 1 : 20));
         for (int n = 0; n < 200; n++) {
             double s = test_unit(&r), t = test_unit(&r);
-            Vec3 at = point_of(&p, s, t);
-            Vec3 flat = vec_add(vec_scale(p.e_u, (2 * s - 1) * p.half_u), vec_scale(p.e_v, (2 * t - 1) * p.half_v));
-            CHECK_WITHIN(vec_length(at), p.radius, "seed %u", seed);
-            CHECK_WITHIN(vec_length(vec_sub(at, flat)), p.deviation + 1e-14, "seed %u", seed);
+            Vec3 at = point_of(p, s, t), half_s = from_floats(p->half_s), half_t = from_floats(p->half_t);
+            Vec3 flat = vec_add(vec_scale(half_s, 2 * s - 1), vec_scale(half_t, 2 * t - 1));
+            CHECK_WITHIN(vec_length(at), p->radius, "seed %u", seed);
+            CHECK_WITHIN(vec_length(vec_sub(at, flat)), p->deviation + 1e-14, "seed %u", seed);
         }
     }
 }
 
-/* The columns of the Jacobian of w N.(S - x) for points x within the radius, in the margin too. */
+/* A derivative of the numerator about x, of which `value` is about the patch's origin. */
+static Vec3 column_about(Vec4 by, Vec3 x) { return vec_sub(vec(by.x, by.y, by.z), vec_scale(x, by.w)); }
+
+/* The columns of the Jacobian of w N.(S - x) for points x within the radius of the middle, in the margin too. */
 static void the_variation_bounds_the_derivatives(void **state)
 {
     Fixture *f = *state;
-    const double m = PATCH_MARGIN;
+    const double m = TILE_MARGIN;
     for (unsigned seed = 0; seed < 300; seed++) {
         TestRandom r = test_random(seed);
-        Patch p = random_patch(f, &r, 0.2, seed % 2 ? 1 : 3);
-        if (!isfinite(p.variation)) continue;
-        Vec4 value, s0, t0, s1, t1;
-        patch_evaluate(&p, 0.5, 0.5, &value, &s0, &t0);
-        Vec3 middle_s = vec(s0.x, s0.y, s0.z), middle_t = vec(t0.x, t0.y, t0.z);
+        const Tile *p = random_part(&r, random_tile(f, &r, 0.2, seed % 2 ? 1 : 3));
+        if (!isfinite(p->variation)) continue;
+        Vec3 middle_s = vec_scale(from_floats(p->half_s), 2 * p->w_middle);
+        Vec3 middle_t = vec_scale(from_floats(p->half_t), 2 * p->w_middle);
+        double unit_s = 2.0 * p->w_middle * p->length_s, unit_t = 2.0 * p->w_middle * p->length_t;
         for (int n = 0; n < 200; n++) {
-            patch_evaluate(&p, test_range(&r, -m, 1 + m), test_range(&r, -m, 1 + m), &value, &s1, &t1);
-            Vec3 x = vec_scale(random_direction(&r), p.radius * test_unit(&r));
-            Vec3 column_s = vec_sub(vec(s1.x, s1.y, s1.z), vec_scale(x, s1.w));
-            Vec3 column_t = vec_sub(vec(t1.x, t1.y, t1.z), vec_scale(x, t1.w));
-            double e_s = vec_length(vec_sub(column_s, middle_s)) / vec_length(middle_s);
-            double e_t = vec_length(vec_sub(column_t, middle_t)) / vec_length(middle_t);
-            CHECK_WITHIN(hypot(e_s, e_t), p.variation + 1e-12, "seed %u", seed);
+            Vec4 value, by_s, by_t;
+            tile_evaluate(p, test_range(&r, -m, 1 + m), test_range(&r, -m, 1 + m), &value, &by_s, &by_t);
+            Vec3 x = vec_add(from_floats(p->middle), vec_scale(random_direction(&r), p->radius * test_unit(&r)));
+            double e_s = vec_length(vec_sub(column_about(by_s, x), middle_s)) / unit_s;
+            double e_t = vec_length(vec_sub(column_about(by_t, x), middle_t)) / unit_t;
+            CHECK_WITHIN(hypot(e_s, e_t), p->variation + 1e-12, "seed %u", seed);
         }
     }
 }
@@ -143,13 +165,13 @@ static void a_ray_through_a_point_of_the_patch_finds_it(void **state)
     Fixture *f = *state;
     for (unsigned seed = 0; seed < 3000; seed++) {
         TestRandom r = test_random(seed);
-        Patch p = random_patch(f, &r, seed % 3 ? 0.05 : 0.7, seed % 2 ? 1 : 10);
+        Tile *p = random_tile(f, &r, seed % 3 ? 0.05 : 0.7, seed % 2 ? 1 : 10);
         double s = test_unit(&r), t = test_unit(&r), distance = test_range(&r, 0.5, 4);
         if (seed % 5 == 0) s = (double)test_int(&r, 0, 1);   /* on a border */
-        Vec3 d = random_direction(&r), at = vec_add(p.origin, point_of(&p, s, t));
+        Vec3 d = random_direction(&r), at = vec_add(middle_of(p), point_of(p, s, t));
         PatchRay ray = patch_ray(vec_sub(at, vec_scale(d, distance)), d, 0, INFINITY);
         Found found = { 0 };
-        patch_roots(&p, &ray, collect, &found, &f->trace);
+        tile_roots(p, &ray, collect, &found, &f->trace);
         CHECK(has_depth(&found, distance, 1e-14 * (distance + 10)), "seed %u: %d roots", seed, found.n);
     }
 }
@@ -161,12 +183,13 @@ static void the_frame_loses_and_invents_nothing(void **state)
     int n_roots = 0;
     for (unsigned seed = 0; seed < 20000; seed++) {
         TestRandom r = test_random(seed);
-        Patch p = random_patch(f, &r, test_range(&r, 0, 0.3), seed % 2 ? 1 : 4);
-        Vec3 aim = vec_add(p.origin, vec_scale(random_direction(&r), p.radius * test_unit(&r))), d = random_direction(&r);
+        Tile *p = random_tile(f, &r, test_range(&r, 0, 0.3), seed % 2 ? 1 : 4);
+        Vec3 aim = vec_add(middle_of(p), vec_scale(random_direction(&r), p->radius * test_unit(&r)));
+        Vec3 d = random_direction(&r);
         PatchRay ray = patch_ray(vec_sub(aim, vec_scale(d, 3)), d, 0, INFINITY);
         Found by_frame = { 0 }, by_clipping = { 0 };
-        patch_roots(&p, &ray, collect, &by_frame, &f->trace);
-        clip_roots(&p, &ray, collect, &by_clipping, &f->trace);
+        tile_roots(p, &ray, collect, &by_frame, &f->trace);
+        clip_roots(p, &ray, collect, &by_clipping, &f->trace);
         for (int i = 0; i < by_frame.n; i++)
             CHECK(has_depth(&by_clipping, by_frame.depth[i], by_frame.error[i]), "seed %u", seed);
         for (int i = 0; i < by_clipping.n; i++)
@@ -186,13 +209,12 @@ static void a_tangent_ray_hits_and_one_beside_it_does_not(void **state)
         double y = 2 * j - 1;
         p[3 * j] = vec4(-1, y, 1, 1), p[3 * j + 1] = vec4(0, y, -1, 1), p[3 * j + 2] = vec4(1, y, 1, 1);
     }
-    Patch patch;
-    patch_make(f->arena, 3, 2, p, 0, (TrimRect){ -1, 1, -1, 1 }, &patch);
+    Tile *tile = new_tile(f, 3, 2, p, (TrimRect){ -1, 1, -1, 1 });
     const double heights[] = { 0.25, 1e-4, 1e-8, 1e-12, 0, -1e-13, -1e-8, -0.1 };
     for (int i = 0; i < 8; i++) {
         PatchRay ray = patch_ray(vec(-3, 0.3, heights[i]), vec(1, 0, 0), 0, INFINITY);
         Found found = { 0 };
-        patch_roots(&patch, &ray, collect, &found, &f->trace);
+        tile_roots(tile, &ray, collect, &found, &f->trace);
         if (heights[i] < 0) assert_int_equal(found.n, 0);
         else {
             CHECK(has_depth(&found, 3 - sqrt(heights[i]), 1e-15), "height %g", heights[i]);
@@ -206,11 +228,10 @@ static void a_ray_in_the_surface_hits_where_it_enters(void **state)
 {
     Fixture *f = *state;
     Vec4 p[4] = { { 0, 0, 0, 1 }, { 1, 0, 0, 1 }, { 0, 1, 0, 1 }, { 1, 1, 0, 1 } };
-    Patch patch;
-    patch_make(f->arena, 2, 2, p, 0, (TrimRect){ 0, 1, 0, 1 }, &patch);
+    Tile *tile = new_tile(f, 2, 2, p, (TrimRect){ 0, 1, 0, 1 });
     PatchRay ray = patch_ray(vec(-2, 0.5, 0), vec(1, 0, 0), 0, INFINITY);
     double nearest = INFINITY;
-    patch_roots(&patch, &ray, keep_nearest, &nearest, &f->trace);
+    tile_roots(tile, &ray, keep_nearest, &nearest, &f->trace);
     CHECK_WITHIN(fabs(nearest - 2), 1e-13, "enters at %.17g", nearest);
 }
 
@@ -268,7 +289,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(bernstein_polynomials_sum_to_one_and_their_derivatives_to_zero),
-        cmocka_unit_test_setup_teardown(the_radius_and_the_deviation_bound_the_patch, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(the_radius_and_the_deviation_bound_the_tile, set_up, tear_down),
         cmocka_unit_test_setup_teardown(the_variation_bounds_the_derivatives, set_up, tear_down),
         cmocka_unit_test_setup_teardown(a_ray_through_a_point_of_the_patch_finds_it, set_up, tear_down),
         cmocka_unit_test_setup_teardown(the_frame_loses_and_invents_nothing, set_up, tear_down),

@@ -1,0 +1,291 @@
+/* Tiles and their frames: bounds that are computed once, so that a ray is decided by some forty operations.
+ *
+ * deviation   bounds the distance between the tile and the parallelogram of its derivatives at the middle. With L the
+ *             parallelogram's map, w (S - L) is a polynomial of one degree more in s and in t; its Bernstein coefficients
+ *             bound it ([Far02] convex hull property), the least weight bounds w.
+ * variation   bounds how far the Jacobian of a ray's two plane equations moves from the one at the middle (see
+ *             certify.c).
+ *
+ * The numbers of a frame are rounded to single precision first, and the bounds computed for them as they are then, and
+ * rounded up. */
+#include "nurbs/tile.h"
+
+#include "nurbs/patch_kernel.h"
+#include "render/box.h"
+
+#include <float.h>
+#include <math.h>
+#include <pthread.h>
+
+/* The bounds are computed by fewer than 2^10 roundings each, one after the other at worst. */
+#define ROUNDED_UP (1 + 0x1p-42)
+
+static Vec3 xyz(Vec4 p) { return vec(p.x, p.y, p.z); }
+static Vec3 from_floats(const float x[3]) { return vec(x[0], x[1], x[2]); }
+
+static Vec3 to_floats(Vec3 x, float out[3])
+{
+    out[0] = (float)x.x, out[1] = (float)x.y, out[2] = (float)x.z;
+    return from_floats(out);
+}
+
+/* What a frame is computed from: the net about the middle, and its orders. */
+typedef struct {
+    int k_u, k_v;
+    bool is_polynomial;
+    const Vec4 *net;
+} Source;
+
+/* One row of k points, `stride` apart, on the interval [x0, x1] of its own [0, 1] (which may reach beyond): de Casteljau at
+ * x1, keeping the left part, then at x0/x1, keeping the right one. */
+static void row_restrict(Vec4 *p, int k, int stride, double x0, double x1)
+{
+    for (int n = 1; n < k && x1 != 1; n++)
+        for (int i = k - 1; i >= n; i--)
+            p[i * stride] = vec4_lerp(p[(i - 1) * stride], p[i * stride], x1);
+    double x = x0 / x1;
+    for (int n = 1; n < k && x0 != 0; n++)
+        for (int i = 0; i < k - n; i++)
+            p[i * stride] = vec4_lerp(p[i * stride], p[(i + 1) * stride], x);
+}
+
+static void net_restrict(int k_u, int k_v, Vec4 *net, double s0, double s1, double t0, double t1)
+{
+    for (int j = 0; j < k_v; j++) row_restrict(net + j * k_u, k_u, 1, s0, s1);
+    for (int i = 0; i < k_u; i++) row_restrict(net + i, k_v, k_u, t0, t1);
+}
+
+void tile_net(const Patch *p, TilePlace at, Vec4 *net)
+{
+    for (int i = 0; i < p->k_u * p->k_v; i++) net[i] = p->p[i];
+    net_restrict(p->k_u, p->k_v, net, at.s0, at.s0 + at.ds, at.t0, at.t0 + at.dt);
+}
+
+/* ---- radius and variation, with the margin ---- */
+
+static double net_radius(const Vec4 *net, int n)
+{
+    double radius = 0;
+    for (int i = 0; i < n; i++) radius = double_max(radius, vec_length(vec4_project(net[i])));
+    return radius;
+}
+
+static bool is_positive(const Vec4 *net, int n)
+{
+    for (int i = 0; i < n; i++)
+        if (!(net[i].w > 0)) return false;
+    return true;
+}
+
+/* Largest distance of the Bernstein coefficients of a derivative of the net from `middle`, and of its weight from 0. step is
+ * the distance of neighbours along the derivative's direction, scale the degree over the interval's length. */
+static void derivative_spread(const Source *p, const Vec4 *net, int step, double scale, Vec3 middle,
+                              double *spread, double *w_spread)
+{
+    int n_i = step == 1 ? p->k_u - 1 : p->k_u, n_j = step == 1 ? p->k_v : p->k_v - 1;
+    double most2 = 0;
+    *w_spread = 0;
+    for (int j = 0; j < n_j; j++)
+        for (int i = 0; i < n_i; i++) {
+            const Vec4 *q = net + j * p->k_u + i;
+            Vec4 d = vec4_scale(vec4_sub(q[step], q[0]), scale);
+            most2 = double_max(most2, vec_length2(vec_sub(xyz(d), middle)));
+            *w_spread = double_max(*w_spread, fabs(d.w));
+        }
+    *spread = sqrt(most2);
+}
+
+/* Sets radius and variation of the tile, whose frame is there. */
+static void bound_variation(const Source *p, Tile *out)
+{
+    int n = p->k_u * p->k_v;
+    Vec4 net[NURBS_MAX_ORDER * NURBS_MAX_ORDER];
+    double radius = net_radius(p->net, n), length = 1 + 2 * TILE_MARGIN, spread_s, spread_t, w_s, w_t;
+    for (int i = 0; i < n; i++) net[i] = p->net[i];
+    net_restrict(p->k_u, p->k_v, net, -TILE_MARGIN, 1 + TILE_MARGIN, -TILE_MARGIN, 1 + TILE_MARGIN);
+    out->variation = INFINITY;
+    bool has_margin = is_positive(net, n);    /* extrapolated weights may not be: then the margin proves nothing */
+    if (has_margin) radius = double_max(radius, net_radius(net, n));
+    out->radius = float_up(radius * ROUNDED_UP);
+    double s = 2.0 * out->w_middle * out->length_s, t = 2.0 * out->w_middle * out->length_t;
+    if (!has_margin || !(s > 0) || !(t > 0) || !isfinite(s) || !isfinite(t) || !isfinite(radius)) return;
+    Vec3 by_s = vec_scale(from_floats(out->half_s), 2.0 * out->w_middle);
+    Vec3 by_t = vec_scale(from_floats(out->half_t), 2.0 * out->w_middle);
+    derivative_spread(p, net, 1, (p->k_u - 1) / length, by_s, &spread_s, &w_s);
+    derivative_spread(p, net, p->k_u, (p->k_v - 1) / length, by_t, &spread_t, &w_t);
+    double r_s = (spread_s + out->radius * w_s) / s, r_t = (spread_t + out->radius * w_t) / t;
+    double variation = sqrt(r_s * r_s + r_t * r_t) * ROUNDED_UP;
+    if (variation < FLT_MAX) out->variation = float_up(variation);
+}
+
+/* ---- deviation ---- */
+
+/* Coefficient (i, j) of a tensor product polynomial times (u0 (1-s) + u1 s) (v0 (1-t) + v1 t), one order more in both: the
+ * Bernstein product formula, [Far02]. Points have four components; those beyond the net count as zero. */
+static Vec4 product_coefficient(const Source *p, int i, int j, double u0, double u1, double v0, double v1)
+{
+    Vec4 sum = { 0 };
+    for (int b = 0; b < 2; b++)
+        for (int a = 0; a < 2; a++) {
+            int ii = i - a, jj = j - b;
+            if (ii < 0 || ii >= p->k_u || jj < 0 || jj >= p->k_v) continue;
+            double f = a ? i * u1 : (p->k_u - i) * u0, g = b ? j * v1 : (p->k_v - j) * v0;
+            sum = vec4_add(sum, vec4_scale(p->net[jj * p->k_u + ii], f * g));
+        }
+    return vec4_scale(sum, 1.0 / (p->k_u * p->k_v));
+}
+
+/* With equal weights S - L itself has the order of S: L's coefficients are its values at the Greville abscissae. */
+static double polynomial_deviation(const Source *p, Vec3 half_s, Vec3 half_t)
+{
+    double most2 = 0;
+    for (int j = 0; j < p->k_v; j++) {
+        Vec3 row = vec_scale(half_t, 2.0 * j / (p->k_v - 1) - 1);
+        for (int i = 0; i < p->k_u; i++) {
+            Vec3 at = vec_add(row, vec_scale(half_s, 2.0 * i / (p->k_u - 1) - 1));
+            most2 = double_max(most2, vec_length2(vec_sub(xyz(p->net[j * p->k_u + i]), at)));
+        }
+    }
+    return sqrt(most2);
+}
+
+/* The Bernstein coefficients of w (S - L), of order k_u + 1 by k_v + 1, over the least weight. */
+static double rational_deviation(const Source *p, Vec3 half_s, Vec3 half_t)
+{
+    double most2 = 0, w_min = INFINITY;
+    for (int i = 0; i < p->k_u * p->k_v; i++) w_min = double_min(w_min, p->net[i].w);
+    for (int j = 0; j <= p->k_v; j++)
+        for (int i = 0; i <= p->k_u; i++) {
+            Vec3 r = xyz(product_coefficient(p, i, j, 1, 1, 1, 1));
+            r = vec_sub(r, vec_scale(half_s, product_coefficient(p, i, j, -1, 1, 1, 1).w));   /* w (2s - 1) half_s */
+            r = vec_sub(r, vec_scale(half_t, product_coefficient(p, i, j, 1, 1, -1, 1).w));
+            most2 = double_max(most2, vec_length2(r));
+        }
+    return sqrt(most2) / w_min;
+}
+
+/* ---- the tile ---- */
+
+EVERY_X86
+void tile_evaluate(const Tile *tile, double s, double t, Vec4 *value, Vec4 *by_s, Vec4 *by_t)
+{
+    PatchPoint at = kernel_tile(tile, s, t);
+    v4_store(value, at.value), v4_store(by_s, at.by_s), v4_store(by_t, at.by_t);
+}
+
+static void middle_of(const Patch *p, const Vec4 *net, Vec4 *value, Vec4 *by_s, Vec4 *by_t)
+{
+    Patch whole = { .k_u = p->k_u, .k_v = p->k_v, .p = net };
+    patch_evaluate(&whole, 0.5, 0.5, value, by_s, by_t);
+}
+
+void tile_make(const Patch *p, const Vec4 *net, TilePlace place, Tile *out)
+{
+    Vec4 about[NURBS_MAX_ORDER * NURBS_MAX_ORDER], value, by_s, by_t;
+    *out = (Tile){ .patch = p, .s0 = (float)place.s0, .t0 = (float)place.t0, .ds = (float)place.ds, .dt = (float)place.dt };
+    middle_of(p, net, &value, &by_s, &by_t);
+    Vec3 at = vec4_project(value), middle = to_floats(at, out->middle);
+    Vec3 s_s = vec_scale(vec_sub(xyz(by_s), vec_scale(at, by_s.w)), 1 / value.w);
+    Vec3 s_t = vec_scale(vec_sub(xyz(by_t), vec_scale(at, by_t.w)), 1 / value.w);
+    for (int i = 0; i < p->k_u * p->k_v; i++) {
+        Vec4 q = net[i];
+        about[i] = vec4(fma(-q.w, middle.x, q.x), fma(-q.w, middle.y, q.y), fma(-q.w, middle.z, q.z), q.w);
+    }
+    Source source = { p->k_u, p->k_v, p->is_polynomial, about };
+    Vec3 half_s = to_floats(vec_scale(s_s, 0.5), out->half_s), half_t = to_floats(vec_scale(s_t, 0.5), out->half_t);
+    out->w_middle = p->is_polynomial ? 1 : (float)value.w;
+    out->length_s = float_up(vec_length(half_s) * ROUNDED_UP), out->length_t = float_up(vec_length(half_t) * ROUNDED_UP);
+    bound_variation(&source, out);
+    double deviation = p->is_polynomial ? polynomial_deviation(&source, half_s, half_t)
+                                        : rational_deviation(&source, half_s, half_t);
+    out->deviation = deviation < FLT_MAX ? float_up(deviation * ROUNDED_UP) : INFINITY;
+}
+
+TrimRect tile_rect(const Patch *p, TilePlace at)
+{
+    return (TrimRect){ patch_u(p, at.s0), patch_u(p, at.s0 + at.ds), patch_v(p, at.t0), patch_v(p, at.t0 + at.dt) };
+}
+
+/* ---- is it worth a frame? ---- */
+
+/* The longest second difference of the net: steps of a and b points. */
+static double longest_difference(int k_u, const Vec4 *net, double radius, int a, int b, int n_i, int n_j)
+{
+    double most = 0;
+    for (int j = 0; j < n_j; j++)
+        for (int i = 0; i < n_i; i++) {
+            const Vec4 *q = net + j * k_u + i;
+            Vec4 d = vec4_sub(vec4_sub(q[a + b], q[a]), vec4_sub(q[b], q[0]));
+            most = double_max(most, vec_length(xyz(d)) + radius * fabs(d.w));
+        }
+    return most;
+}
+
+/* The derivatives change by at most their own derivatives' coefficients, times half the interval. */
+TileBend tile_bend(int k_u, int k_v, const Vec4 *points)
+{
+    Vec4 net[NURBS_MAX_ORDER * NURBS_MAX_ORDER], value, by_s, by_t;
+    Patch p = { .k_u = k_u, .k_v = k_v };
+    for (int i = 0; i < k_u * k_v; i++) net[i] = points[i];
+    patch_move_origin(&p, net);
+    patch_evaluate(&p, 0.5, 0.5, &value, &by_s, &by_t);
+    double length_s = vec_length(xyz(by_s)), length_t = vec_length(xyz(by_t)), radius = length_s + length_t;
+    int m = k_u - 1, n = k_v - 1;
+    double ss = m * (m - 1) * longest_difference(k_u, net, radius, 1, 1, k_u - 2, k_v);
+    double tt = n * (n - 1) * longest_difference(k_u, net, radius, k_u, k_u, k_u, k_v - 2);
+    double st = m * n * longest_difference(k_u, net, radius, 1, k_u, k_u - 1, k_v - 1);
+    double x = (ss + st) / length_s, y = (st + tt) / length_t;
+    return (TileBend){ .variation = 0.5 * sqrt(x * x + y * y),
+                       .along_u = ss / length_s + st / length_t, .along_v = tt / length_t + st / length_s };
+}
+
+/* ---- halving on demand ---- */
+
+/* A tile is halved at most this often after the preparation. What bends forever (a pole, a cusp) and what touches a ray for
+ * good is left to clip.c, which refines along the ray alone. */
+#define MAX_HALVINGS 10
+
+/* One lock for all tiles: it is held for microseconds, once in a tile's life. */
+static pthread_mutex_t halving_lock = PTHREAD_MUTEX_INITIALIZER;
+
+/* A tile whose derivatives vary by less than this is as good as flat, and its halves would tell no more. */
+#define AS_GOOD_AS_FLAT 0x1p-12
+
+static bool may_be_halved(const Tile *tile)
+{
+    return tile->patch->arena && tile->n_halvings < MAX_HALVINGS && !(tile->variation < AS_GOOD_AS_FLAT);
+}
+
+static const Tile *make_halves(const Tile *tile)
+{
+    const Patch *p = tile->patch;
+    Tile *out = ARENA_ARRAY(p->arena, Tile, 2);
+    Vec4 net[NURBS_MAX_ORDER * NURBS_MAX_ORDER];
+    TilePlace a = { tile->s0, tile->t0, tile->ds, tile->dt }, b = a;
+    tile_net(p, a, net);
+    TileBend bend = tile_bend(p->k_u, p->k_v, net);
+    bool along_u = !(bend.along_u < bend.along_v);
+    if (along_u) a.ds = b.ds = 0.5 * a.ds, b.s0 += a.ds;
+    else a.dt = b.dt = 0.5 * a.dt, b.t0 += a.dt;
+    tile_net(p, a, net);
+    tile_make(p, net, a, &out[0]);
+    tile_net(p, b, net);
+    tile_make(p, net, b, &out[1]);
+    out[0].n_halvings = out[1].n_halvings = tile->n_halvings + 1;
+    return out;
+}
+
+const Tile *tile_halves(const Tile *tile)
+{
+    Tile *t = (Tile *)tile;     /* the one thing in a tile that changes, and under a lock */
+    const Tile *halves = atomic_load_explicit(&t->halves, memory_order_acquire);
+    if (halves || !may_be_halved(tile)) return halves;
+    pthread_mutex_lock(&halving_lock);
+    halves = atomic_load_explicit(&t->halves, memory_order_relaxed);
+    if (!halves) {
+        halves = make_halves(tile);
+        atomic_store_explicit(&t->halves, halves, memory_order_release);
+    }
+    pthread_mutex_unlock(&halving_lock);
+    return halves;
+}

@@ -1,0 +1,58 @@
+/* A tile: a dyadic part of a patch, with what decides most rays at sight. The leaf of `method certain`; 96 bytes, since the
+ * control points stay with the patch. A tile that leaves a ray in doubt is halved, once for all rays.
+ *
+ * Parameters here are local: s, t in [0, 1] over the tile. The frame is in single precision; its bounds hold for the
+ * numbers that are stored. */
+#ifndef TRIMRAY_TILE_H
+#define TRIMRAY_TILE_H
+
+#include "nurbs/patch.h"
+
+#include <stdatomic.h>
+#include <stdint.h>
+
+/* How far beyond [0, 1] the frame's bounds still hold: a root that Newton finds just outside the tile proves that there is
+ * none inside, if the map is one-to-one on the larger square. */
+#define TILE_MARGIN 0.0625
+
+typedef struct Tile Tile;
+struct Tile {
+    const Patch *patch;
+    _Atomic(const Tile *) halves;    /* two side by side; NULL: not made yet */
+    float s0, t0, ds, dt;            /* where it lies in the patch's [0, 1]: exact, powers of two and their multiples */
+    float middle[3];                 /* S(1/2, 1/2), about the patch's origin */
+    float radius;                    /* |S - middle| <= radius, with the margin */
+    /* S(s, t) = middle + (2s-1) half_s + (2t-1) half_t + r, |r| <= deviation on the tile. */
+    float half_s[3], length_s;       /* length_s >= |half_s| */
+    float half_t[3], length_t;
+    float deviation;
+    /* The derivatives of the homogeneous numerator w (S - x), for any x within `radius` of the middle, stay within
+     * variation times the half-vectors' lengths of 2 w_middle times these, both columns together (root of the sum of
+     * squares), with the margin. INFINITY: no frame. */
+    float variation;
+    float w_middle;                  /* the weight at the middle: 1 where the patch is polynomial */
+    uint32_t n_halvings;             /* since the preparation */
+};
+
+/* From the net over the tile, k_u * k_v homogeneous points about the patch's origin. place: s0, t0, ds, dt. */
+typedef struct { double s0, t0, ds, dt; } TilePlace;
+void tile_make(const Patch *p, const Vec4 *net, TilePlace place, Tile *out);
+
+/* The net of a patch over a place within it. */
+void tile_net(const Patch *p, TilePlace place, Vec4 *net);
+
+/* The homogeneous numerator and its derivatives by s and t of the tile: about the patch's origin. */
+void tile_evaluate(const Tile *tile, double s, double t, Vec4 *value, Vec4 *by_s, Vec4 *by_t);
+
+/* Its two halves, made by whichever thread asks first; NULL: it has been halved often enough. */
+const Tile *tile_halves(const Tile *tile);
+
+/* Before it is worth a frame: about how much `variation` would be, and the shares of it that halving along u, along v would
+ * halve. For k_u * k_v homogeneous points. */
+typedef struct { double variation, along_u, along_v; } TileBend;
+TileBend tile_bend(int k_u, int k_v, const Vec4 *points);
+
+/* Its interval of the surface's parameters. */
+TrimRect tile_rect(const Patch *p, TilePlace place);
+
+#endif

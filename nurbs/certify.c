@@ -130,7 +130,7 @@ ALWAYS_INLINE NewtonResult newton(Solve *k, Trace *trace)
     const double lo = -TILE_MARGIN, hi = 1 + TILE_MARGIN;
     for (int step = 0; step < MAX_STEPS; step++) {
         trace->counters.newton_iterations++;
-        k->last = kernel_tile(k->tile, k->s, k->t);
+        k->last = kernel_tile(k->tile, &k->s, &k->t);
         double w = k->last.value[3], w_s = k->last.by_s[3], w_t = k->last.by_t[3];
         Vec3 h = xyz(k->last.value), at = vec_scale(k->o, w);
         set_jacobian(k, vec_sub(xyz(k->last.by_s), vec_scale(k->o, w_s)), vec_sub(xyz(k->last.by_t), vec_scale(k->o, w_t)));
@@ -150,7 +150,11 @@ ALWAYS_INLINE NewtonResult newton(Solve *k, Trace *trace)
  * under it vanish. */
 #define NO_ANGLE 0x1p-400
 
-typedef enum { FRAME_MISS, FRAME_ONE_AT_MOST, FRAME_UNDECIDED } FrameResult;
+/* A contraction that a few halvings, each of which takes about half of it, bring below 1. What is beyond has clip.c, which
+ * refines across the ray alone. */
+#define WORTH_HALVING 256
+
+typedef enum { FRAME_MISS, FRAME_ONE_AT_MOST, FRAME_UNDECIDED, FRAME_HOPELESS } FrameResult;
 
 /* What the frame says; sets s and t to the parallelogram's root, within the margin. */
 ALWAYS_INLINE FrameResult frame_test(Solve *k)
@@ -162,13 +166,13 @@ ALWAYS_INLINE FrameResult frame_test(Solve *k)
     k->c21 = vec_dot(k->r->n2, a), k->c22 = vec_dot(k->r->n2, b);
     k->c_det = k->c11 * k->c22 - k->c12 * k->c21;
     double det = fabs(k->c_det);
-    if (!(det > NO_ANGLE * u * v)) return FRAME_UNDECIDED;
+    if (!(det > NO_ANGLE * u * v)) return FRAME_HOPELESS;
     double x = k->q1 * k->c22 - k->q2 * k->c12, y = k->q2 * k->c11 - k->q1 * k->c21;   /* times det */
     double column_s2 = k->c11 * k->c11 + k->c21 * k->c21, column_t2 = k->c12 * k->c12 + k->c22 * k->c22;
     if (fabs(x) > det + sqrt(column_t2) * slack) return FRAME_MISS;
     if (fabs(y) > det + sqrt(column_s2) * slack) return FRAME_MISS;
     k->contraction = sqrt(column_s2 * v * v + column_t2 * u * u) * f->variation / det;
-    if (!(k->contraction < CONTRACTION)) return FRAME_UNDECIDED;
+    if (!(k->contraction < CONTRACTION)) return k->contraction < WORTH_HALVING ? FRAME_UNDECIDED : FRAME_HOPELESS;
     const double lo = -TILE_MARGIN, hi = 1 + TILE_MARGIN, scale = 0.5 / k->c_det;
     k->s = clamped(0.5 + x * scale, lo, hi);
     k->t = clamped(0.5 + y * scale, lo, hi);
@@ -187,28 +191,68 @@ ALWAYS_INLINE bool set_up(Solve *k)
     return !(k->q1 * k->q1 + k->q2 * k->q2 > reach * reach || depth - reach > r->t_max || depth + reach < r->t_min);
 }
 
-static bool undecided_roots(const Tile *tile, PatchRay *r, RootVisit visit, void *context, Trace *trace)
+/* At most one root: Newton's method, from the parallelogram's or from where the ray comes from. */
+ALWAYS_INLINE bool solve_one(Solve *k, RootVisit visit, void *context, Trace *trace)
 {
-    const Tile *halves = tile_halves(tile);
-    if (!halves) return clip_roots(tile, r, visit, context, trace);
-    return tile_roots(&halves[0], r, visit, context, trace) || tile_roots(&halves[1], r, visit, context, trace);
+    trace->counters.certificates++;
+    if (k->r->guess == k->tile) k->s = k->r->guess_s, k->t = k->r->guess_t;
+    switch (newton(k, trace)) {
+    case NEWTON_INSIDE: return report(k, visit, context);
+    case NEWTON_OUTSIDE: return false;
+    case NEWTON_UNDECIDED: break;
+    }
+    return clip_roots(k->tile, k->r, visit, context, trace);
+}
+
+ALWAYS_INLINE FrameResult meet_tile(Solve *k, const Tile *tile, PatchRay *r)
+{
+    k->tile = tile, k->p = tile->patch, k->r = r;
+    return set_up(k) ? frame_test(k) : FRAME_MISS;
+}
+
+/* How often both halves of a tile may be in doubt on the way down. One half alone shows that halving leads somewhere: to a
+ * near miss, or to two roots that part. Where both are in doubt again and again the ray keeps to the surface along a whole
+ * line, as many tiles as there are would be met, and clip.c, which refines across the ray, is faster. */
+#define DOUBTS 2
+
+typedef struct { const Tile *tile; int doubts; } Doubt;
+
+/* All roots of a tile in doubt. */
+EVERY_X86
+static bool roots_in_doubt(const Tile *tile, PatchRay *r, RootVisit visit, void *context, Trace *trace)
+{
+    Doubt stack[TILE_MAX_HALVINGS + 1] = { { tile, DOUBTS } };
+    for (int top = 1; top > 0; ) {
+        Doubt d = stack[--top];
+        const Tile *halves = tile_halves(d.tile);
+        Solve k[2];
+        FrameResult is[2] = { FRAME_MISS, FRAME_MISS };
+        for (int i = 0; i < 2 && halves; i++) is[i] = meet_tile(&k[i], &halves[i], r);
+        bool is_stuck = is[0] == FRAME_UNDECIDED && is[1] == FRAME_UNDECIDED && d.doubts-- == 0;
+        if (!halves || is_stuck) {
+            if (clip_roots(d.tile, r, visit, context, trace)) return true;
+            continue;
+        }
+        for (int i = 0; i < 2; i++) {
+            bool ended = false;
+            if (is[i] == FRAME_UNDECIDED) stack[top++] = (Doubt){ &halves[i], d.doubts };
+            if (is[i] == FRAME_HOPELESS) ended = clip_roots(&halves[i], r, visit, context, trace);
+            if (is[i] == FRAME_ONE_AT_MOST) ended = solve_one(&k[i], visit, context, trace);
+            if (ended) return true;
+        }
+    }
+    return false;
 }
 
 EVERY_X86
 bool tile_roots(const Tile *tile, PatchRay *r, RootVisit visit, void *context, Trace *trace)
 {
-    Solve k = { .tile = tile, .p = tile->patch, .r = r };
-    if (!set_up(&k)) return false;
-    switch (frame_test(&k)) {
+    Solve k;
+    switch (meet_tile(&k, tile, r)) {
     case FRAME_MISS: return false;
-    case FRAME_UNDECIDED: return undecided_roots(tile, r, visit, context, trace);
-    case FRAME_ONE_AT_MOST: trace->counters.certificates++; break;
+    case FRAME_UNDECIDED: break;
+    case FRAME_HOPELESS: return clip_roots(tile, r, visit, context, trace);
+    case FRAME_ONE_AT_MOST: return solve_one(&k, visit, context, trace);
     }
-    if (r->guess == tile) k.s = r->guess_s, k.t = r->guess_t;
-    switch (newton(&k, trace)) {
-    case NEWTON_INSIDE: return report(&k, visit, context);
-    case NEWTON_OUTSIDE: return false;
-    case NEWTON_UNDECIDED: break;
-    }
-    return clip_roots(tile, r, visit, context, trace);
+    return roots_in_doubt(tile, r, visit, context, trace);
 }

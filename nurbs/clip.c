@@ -134,7 +134,7 @@ static Place place_at(const Clip *k, double s, double t)
 {
     const PatchRay *r = k->ray;
     Vec4 value, by_s, by_t;
-    tile_evaluate(k->tile, s, t, &value, &by_s, &by_t);
+    tile_evaluate(k->tile, &s, &t, &value, &by_s, &by_t);
     Vec3 o = vec_sub(r->origin, k->p->origin), at = vec_sub(vec4_project(value), o);
     Vec3 d_s = vec_sub(vec(by_s.x, by_s.y, by_s.z), vec_scale(vec4_project(value), by_s.w));    /* w S_s */
     Vec3 d_t = vec_sub(vec(by_t.x, by_t.y, by_t.z), vec_scale(vec4_project(value), by_t.w));
@@ -170,8 +170,8 @@ static Place polish(const Clip *k, const Net *n)
         if (!(residual2(&next) < residual2(&best))) break;
         best = next;
     }
-    const double last_bits = 4 * DBL_EPSILON;
-    if (fabs(best.ds) <= last_bits && fabs(best.dt) <= last_bits) take_last_step(&best);
+    const double last_bits = 4 * DBL_EPSILON;    /* of the patch's parameters */
+    if (fabs(best.ds) * k->tile->ds <= last_bits && fabs(best.dt) * k->tile->dt <= last_bits) take_last_step(&best);
     return best;
 }
 

@@ -60,11 +60,14 @@ ALWAYS_INLINE PatchPoint kernel_evaluate(const Patch *p, double s, double t)
     return kernel_blend(p, p->k_u, p->k_v, s, t);
 }
 
-/* The same at a place of a tile, by the tile's parameters. */
-ALWAYS_INLINE PatchPoint kernel_tile(const Tile *f, double s, double t)
+/* The same at a place of a tile, by the tile's parameters. s and t become those that were evaluated: the patch's own may
+ * have too few bits left for them. */
+ALWAYS_INLINE PatchPoint kernel_tile(const Tile *f, double *s, double *t)
 {
-    PatchPoint at = kernel_evaluate(f->patch, f->s0 + s * f->ds, f->t0 + t * f->dt);
-    return (PatchPoint){ at.value, at.by_s * (double)f->ds, at.by_t * (double)f->dt };
+    double ds = f->ds, dt = f->dt, x = f->s0 + *s * ds, y = f->t0 + *t * dt;
+    *s = (x - f->s0) / ds, *t = (y - f->t0) / dt;
+    PatchPoint at = kernel_evaluate(f->patch, x, y);
+    return (PatchPoint){ at.value, at.by_s * ds, at.by_t * dt };
 }
 
 #endif

@@ -10,6 +10,7 @@
  * rounded up. */
 #include "nurbs/tile.h"
 
+#include "nurbs/bezier.h"
 #include "nurbs/patch_kernel.h"
 #include "render/box.h"
 
@@ -23,18 +24,28 @@
 static Vec3 xyz(Vec4 p) { return vec(p.x, p.y, p.z); }
 static Vec3 from_floats(const float x[3]) { return vec(x[0], x[1], x[2]); }
 
-static Vec3 to_floats(Vec3 x, float out[3])
-{
-    out[0] = (float)x.x, out[1] = (float)x.y, out[2] = (float)x.z;
-    return from_floats(out);
-}
+static void to_floats(Vec3 x, float out[3]) { out[0] = (float)x.x, out[1] = (float)x.y, out[2] = (float)x.z; }
 
-/* What a frame is computed from: the net about the middle, and its orders. */
+/* What the bounds are computed from: the net about the tile's middle, its orders, and the frame as it is stored. */
 typedef struct {
     int k_u, k_v;
-    bool is_polynomial;
-    const Vec4 *net;
+    Vec4 net[NURBS_MAX_ORDER * NURBS_MAX_ORDER];
+    Vec3 half_s, half_t;
 } Source;
+
+/* In a function of its own: gcc 12 was seen to pass on, in place of what it stores in single precision, what it stored it
+ * from. */
+__attribute__((noinline)) static void make_source(const Tile *f, const Vec4 *net, Source *out)
+{
+    const Patch *p = f->patch;
+    Vec3 middle = from_floats(f->middle);
+    out->k_u = p->k_u, out->k_v = p->k_v, out->half_s = from_floats(f->half_s), out->half_t = from_floats(f->half_t);
+    for (int i = 0; i < p->k_u * p->k_v; i++) {
+        Vec4 q = net[i];
+        out->net[i] = vec4(fma(-q.w, middle.x, q.x), fma(-q.w, middle.y, q.y), fma(-q.w, middle.z, q.z), q.w);
+    }
+}
+
 
 /* One row of k points, `stride` apart, on the interval [x0, x1] of its own [0, 1] (which may reach beyond): de Casteljau at
  * x1, keeping the left part, then at x0/x1, keeping the right one. */
@@ -109,8 +120,7 @@ static void bound_variation(const Source *p, Tile *out)
     out->radius = float_up(radius * ROUNDED_UP);
     double s = 2.0 * out->w_middle * out->length_s, t = 2.0 * out->w_middle * out->length_t;
     if (!has_margin || !(s > 0) || !(t > 0) || !isfinite(s) || !isfinite(t) || !isfinite(radius)) return;
-    Vec3 by_s = vec_scale(from_floats(out->half_s), 2.0 * out->w_middle);
-    Vec3 by_t = vec_scale(from_floats(out->half_t), 2.0 * out->w_middle);
+    Vec3 by_s = vec_scale(p->half_s, 2.0 * out->w_middle), by_t = vec_scale(p->half_t, 2.0 * out->w_middle);
     derivative_spread(p, net, 1, (p->k_u - 1) / length, by_s, &spread_s, &w_s);
     derivative_spread(p, net, p->k_u, (p->k_v - 1) / length, by_t, &spread_t, &w_t);
     double r_s = (spread_s + out->radius * w_s) / s, r_t = (spread_t + out->radius * w_t) / t;
@@ -136,13 +146,13 @@ static Vec4 product_coefficient(const Source *p, int i, int j, double u0, double
 }
 
 /* With equal weights S - L itself has the order of S: L's coefficients are its values at the Greville abscissae. */
-static double polynomial_deviation(const Source *p, Vec3 half_s, Vec3 half_t)
+static double polynomial_deviation(const Source *p)
 {
     double most2 = 0;
     for (int j = 0; j < p->k_v; j++) {
-        Vec3 row = vec_scale(half_t, 2.0 * j / (p->k_v - 1) - 1);
+        Vec3 row = vec_scale(p->half_t, 2.0 * j / (p->k_v - 1) - 1);
         for (int i = 0; i < p->k_u; i++) {
-            Vec3 at = vec_add(row, vec_scale(half_s, 2.0 * i / (p->k_u - 1) - 1));
+            Vec3 at = vec_add(row, vec_scale(p->half_s, 2.0 * i / (p->k_u - 1) - 1));
             most2 = double_max(most2, vec_length2(vec_sub(xyz(p->net[j * p->k_u + i]), at)));
         }
     }
@@ -150,15 +160,15 @@ static double polynomial_deviation(const Source *p, Vec3 half_s, Vec3 half_t)
 }
 
 /* The Bernstein coefficients of w (S - L), of order k_u + 1 by k_v + 1, over the least weight. */
-static double rational_deviation(const Source *p, Vec3 half_s, Vec3 half_t)
+static double rational_deviation(const Source *p)
 {
     double most2 = 0, w_min = INFINITY;
     for (int i = 0; i < p->k_u * p->k_v; i++) w_min = double_min(w_min, p->net[i].w);
     for (int j = 0; j <= p->k_v; j++)
         for (int i = 0; i <= p->k_u; i++) {
             Vec3 r = xyz(product_coefficient(p, i, j, 1, 1, 1, 1));
-            r = vec_sub(r, vec_scale(half_s, product_coefficient(p, i, j, -1, 1, 1, 1).w));   /* w (2s - 1) half_s */
-            r = vec_sub(r, vec_scale(half_t, product_coefficient(p, i, j, 1, 1, -1, 1).w));
+            r = vec_sub(r, vec_scale(p->half_s, product_coefficient(p, i, j, -1, 1, 1, 1).w));   /* w (2s - 1) half_s */
+            r = vec_sub(r, vec_scale(p->half_t, product_coefficient(p, i, j, 1, 1, -1, 1).w));
             most2 = double_max(most2, vec_length2(r));
         }
     return sqrt(most2) / w_min;
@@ -167,7 +177,7 @@ static double rational_deviation(const Source *p, Vec3 half_s, Vec3 half_t)
 /* ---- the tile ---- */
 
 EVERY_X86
-void tile_evaluate(const Tile *tile, double s, double t, Vec4 *value, Vec4 *by_s, Vec4 *by_t)
+void tile_evaluate(const Tile *tile, double *s, double *t, Vec4 *value, Vec4 *by_s, Vec4 *by_t)
 {
     PatchPoint at = kernel_tile(tile, s, t);
     v4_store(value, at.value), v4_store(by_s, at.by_s), v4_store(by_t, at.by_t);
@@ -179,25 +189,28 @@ static void middle_of(const Patch *p, const Vec4 *net, Vec4 *value, Vec4 *by_s, 
     patch_evaluate(&whole, 0.5, 0.5, value, by_s, by_t);
 }
 
+/* The middle, and half the derivatives there. */
+static void set_frame(const Patch *p, const Vec4 *net, Tile *out)
+{
+    Vec4 value, by_s, by_t;
+    middle_of(p, net, &value, &by_s, &by_t);
+    Vec3 at = vec4_project(value);
+    to_floats(at, out->middle);
+    to_floats(vec_scale(vec_sub(xyz(by_s), vec_scale(at, by_s.w)), 0.5 / value.w), out->half_s);
+    to_floats(vec_scale(vec_sub(xyz(by_t), vec_scale(at, by_t.w)), 0.5 / value.w), out->half_t);
+    out->w_middle = p->is_polynomial ? 1 : (float)value.w;
+}
+
 void tile_make(const Patch *p, const Vec4 *net, TilePlace place, Tile *out)
 {
-    Vec4 about[NURBS_MAX_ORDER * NURBS_MAX_ORDER], value, by_s, by_t;
     *out = (Tile){ .patch = p, .s0 = (float)place.s0, .t0 = (float)place.t0, .ds = (float)place.ds, .dt = (float)place.dt };
-    middle_of(p, net, &value, &by_s, &by_t);
-    Vec3 at = vec4_project(value), middle = to_floats(at, out->middle);
-    Vec3 s_s = vec_scale(vec_sub(xyz(by_s), vec_scale(at, by_s.w)), 1 / value.w);
-    Vec3 s_t = vec_scale(vec_sub(xyz(by_t), vec_scale(at, by_t.w)), 1 / value.w);
-    for (int i = 0; i < p->k_u * p->k_v; i++) {
-        Vec4 q = net[i];
-        about[i] = vec4(fma(-q.w, middle.x, q.x), fma(-q.w, middle.y, q.y), fma(-q.w, middle.z, q.z), q.w);
-    }
-    Source source = { p->k_u, p->k_v, p->is_polynomial, about };
-    Vec3 half_s = to_floats(vec_scale(s_s, 0.5), out->half_s), half_t = to_floats(vec_scale(s_t, 0.5), out->half_t);
-    out->w_middle = p->is_polynomial ? 1 : (float)value.w;
-    out->length_s = float_up(vec_length(half_s) * ROUNDED_UP), out->length_t = float_up(vec_length(half_t) * ROUNDED_UP);
+    set_frame(p, net, out);
+    Source source;
+    make_source(out, net, &source);
+    out->length_s = float_up(vec_length(source.half_s) * ROUNDED_UP);
+    out->length_t = float_up(vec_length(source.half_t) * ROUNDED_UP);
     bound_variation(&source, out);
-    double deviation = p->is_polynomial ? polynomial_deviation(&source, half_s, half_t)
-                                        : rational_deviation(&source, half_s, half_t);
+    double deviation = p->is_polynomial ? polynomial_deviation(&source) : rational_deviation(&source);
     out->deviation = deviation < FLT_MAX ? float_up(deviation * ROUNDED_UP) : INFINITY;
 }
 
@@ -241,10 +254,6 @@ TileBend tile_bend(int k_u, int k_v, const Vec4 *points)
 
 /* ---- halving on demand ---- */
 
-/* A tile is halved at most this often after the preparation. What bends forever (a pole, a cusp) and what touches a ray for
- * good is left to clip.c, which refines along the ray alone. */
-#define MAX_HALVINGS 10
-
 /* One lock for all tiles: it is held for microseconds, once in a tile's life. */
 static pthread_mutex_t halving_lock = PTHREAD_MUTEX_INITIALIZER;
 
@@ -253,23 +262,26 @@ static pthread_mutex_t halving_lock = PTHREAD_MUTEX_INITIALIZER;
 
 static bool may_be_halved(const Tile *tile)
 {
-    return tile->patch->arena && tile->n_halvings < MAX_HALVINGS && !(tile->variation < AS_GOOD_AS_FLAT);
+    return tile->patch->arena && tile->n_halvings < TILE_MAX_HALVINGS && !(tile->variation < AS_GOOD_AS_FLAT);
 }
 
 static const Tile *make_halves(const Tile *tile)
 {
     const Patch *p = tile->patch;
     Tile *out = ARENA_ARRAY(p->arena, Tile, 2);
-    Vec4 net[NURBS_MAX_ORDER * NURBS_MAX_ORDER];
+    Vec4 net[NURBS_MAX_ORDER * NURBS_MAX_ORDER], first[NURBS_MAX_ORDER * NURBS_MAX_ORDER];
     TilePlace a = { tile->s0, tile->t0, tile->ds, tile->dt }, b = a;
     tile_net(p, a, net);
     TileBend bend = tile_bend(p->k_u, p->k_v, net);
     bool along_u = !(bend.along_u < bend.along_v);
-    if (along_u) a.ds = b.ds = 0.5 * a.ds, b.s0 += a.ds;
-    else a.dt = b.dt = 0.5 * a.dt, b.t0 += a.dt;
-    tile_net(p, a, net);
-    tile_make(p, net, a, &out[0]);
-    tile_net(p, b, net);
+    if (along_u) {
+        a.ds = b.ds = 0.5 * a.ds, b.s0 += a.ds;
+        for (int j = 0; j < p->k_v; j++) bezier_cut(p->k_u, 1, 0.5, net + j * p->k_u, first + j * p->k_u);
+    } else {
+        a.dt = b.dt = 0.5 * a.dt, b.t0 += a.dt;
+        bezier_cut(p->k_v, p->k_u, 0.5, net, first);
+    }
+    tile_make(p, first, a, &out[0]);
     tile_make(p, net, b, &out[1]);
     out[0].n_halvings = out[1].n_halvings = tile->n_halvings + 1;
     return out;

@@ -41,8 +41,13 @@ void tile_make(const Patch *p, const Vec4 *net, TilePlace place, Tile *out);
 /* The net of a patch over a place within it. */
 void tile_net(const Patch *p, TilePlace place, Vec4 *net);
 
-/* The homogeneous numerator and its derivatives by s and t of the tile: about the patch's origin. */
-void tile_evaluate(const Tile *tile, double s, double t, Vec4 *value, Vec4 *by_s, Vec4 *by_t);
+/* The homogeneous numerator and its derivatives by s and t of the tile: about the patch's origin. s and t become those that
+ * were evaluated: within 2^-53 of the patch's parameters. */
+void tile_evaluate(const Tile *tile, double *s, double *t, Vec4 *value, Vec4 *by_s, Vec4 *by_t);
+
+/* A tile is halved at most this often after the preparation. What bends forever (a pole, a cusp) and what touches a ray for
+ * good is left to clip.c, which refines along the ray alone. */
+#define TILE_MAX_HALVINGS 10
 
 /* Its two halves, made by whichever thread asks first; NULL: it has been halved often enough. */
 const Tile *tile_halves(const Tile *tile);

@@ -152,7 +152,7 @@ ALWAYS_INLINE NewtonResult newton(Solve *k, Trace *trace)
 
 /* A contraction that a few halvings, each of which takes about half of it, bring below 1. What is beyond has clip.c, which
  * refines across the ray alone. */
-#define WORTH_HALVING 256
+#define WORTH_HALVING 4096
 
 typedef enum { FRAME_MISS, FRAME_ONE_AT_MOST, FRAME_UNDECIDED, FRAME_HOPELESS } FrameResult;
 
@@ -213,7 +213,7 @@ ALWAYS_INLINE FrameResult meet_tile(Solve *k, const Tile *tile, PatchRay *r)
 /* How often both halves of a tile may be in doubt on the way down. One half alone shows that halving leads somewhere: to a
  * near miss, or to two roots that part. Where both are in doubt again and again the ray keeps to the surface along a whole
  * line, as many tiles as there are would be met, and clip.c, which refines across the ray, is faster. */
-#define DOUBTS 2
+#define DOUBTS 4
 
 typedef struct { const Tile *tile; int doubts; } Doubt;
 

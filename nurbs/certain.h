@@ -18,7 +18,7 @@ typedef struct {
 } TileTree;
 
 /* The certificate then holds for all rays but those within some asin(0.35) of the tile's tangent planes. */
-#define CERTAIN_VARIATION 0.35
+#define CERTAIN_VARIATION 0.25
 
 /* Cuts the surface into tiles whose frames settle most rays, drops those that are trimmed away, and builds the tree. A
  * tile is halved until its derivatives vary by at most `variation` of themselves; 0: CERTAIN_VARIATION. Hits depend on it

@@ -124,6 +124,18 @@ ALWAYS_INLINE bool proves_miss_by_clamping(const Solve *k, double f1, double f2)
     return u * u * g_s * g_s + v * v * g_t * g_t > ROUNDED_UP * least * least * (u * u * p_s * p_s + v * v * p_t * p_t);
 }
 
+/* Is the root x*, if there is one, certainly out of the ray's reach? With the bounds of proves_miss, |x* - x| is within
+ * (1+q)/(1-q) |step|. The numerator about the root's point X vanishes there, so that at x it is at most (J_m + E)(x - x*):
+ * |S(x) - X| <= 2 w_middle/w (sqrt 2 + variation) |x* - x|, lengths being those of half the tile. */
+ALWAYS_INLINE bool is_out_of_reach(const Solve *k, double depth, double ds, double dt)
+{
+    double gap = double_max(k->r->t_min - depth, depth - k->r->t_max), u = k->tile->length_s, v = k->tile->length_t;
+    double far = ROUNDED_UP * (1 + k->contraction) * 2 * k->tile->w_middle * (M_SQRT2 + k->tile->variation);
+    double near = (1 - k->contraction) * k->last.value[3];
+    gap -= k->rounding;
+    return gap > 0 && gap * gap * near * near > far * far * (u * u * ds * ds + v * v * dt * dt);
+}
+
 /* From (s, t) to the root of F in the patch with its margin, if there is one. */
 ALWAYS_INLINE NewtonResult newton(Solve *k, Trace *trace)
 {
@@ -139,6 +151,7 @@ ALWAYS_INLINE NewtonResult newton(Solve *k, Trace *trace)
         double s = clamped(k->s + ds, lo, hi), t = clamped(k->t + dt, lo, hi);
         bool leaves = s != k->s + ds || t != k->t + dt;
         if (leaves && (proves_miss(k, ds, dt) || proves_miss_by_clamping(k, f1, f2))) return NEWTON_OUTSIDE;
+        if (is_out_of_reach(k, vec_dot(k->r->d, vec_sub(vec_scale(h, 1 / w), k->o)), ds, dt)) return NEWTON_OUTSIDE;
         k->ds = leaves ? s - k->s : ds, k->dt = leaves ? t - k->t : dt;    /* with bits that s and t have no room for */
         k->s = s, k->t = t;
         if (fabs(ds) < LAST_STEP && fabs(dt) < LAST_STEP) return place_of_root(k);

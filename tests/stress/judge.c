@@ -6,12 +6,13 @@
 #include <string.h>
 #include <time.h>
 
-const char *const judgement_name[] = { "right", "in the band", "missed", "false", "inexact", "not all hits once" };
+const char *const judgement_name[JUDGEMENTS] = { "right", "in the band", "missed", "false", "inexact", "not all hits once" };
 
 void row_add(Row *to, const Row *from)
 {
     to->rays += from->rays, to->hits += from->hits, to->in_band += from->in_band, to->missed += from->missed;
-    to->false_hits += from->false_hits, to->inexact += from->inexact, to->not_once += from->not_once;
+    to->false_hits += from->false_hits, to->inexact += from->inexact;
+    to->asked += from->asked, to->not_once += from->not_once;
     to->tests += from->tests, to->fallbacks += from->fallbacks, to->seconds += from->seconds;
     to->worst = fmax(to->worst, from->worst), to->slowest = fmax(to->slowest, from->slowest);
 }
@@ -72,7 +73,6 @@ static Judgement judge(const Truth *truth, const Ray *r, bool is_hit, double t, 
  * nothing there but roots? */
 static bool has_all_once(Shape *s, const Ray *r, const Truth *truth, Trace *trace)
 {
-    if (!s->type->all_hits) return true;
     long double slack = TRUTH_ERROR * truth->length;
     ArenaMark mark = arena_mark(trace->scratch);
     HitList list = hit_list_make(trace->scratch, INFINITY);
@@ -123,7 +123,7 @@ static double clock_overhead(void)
     return overhead = (cpu_now() - begin) / 1001;
 }
 
-Verdict judge_ray(const Model *m, int method, const Ray *r, const Truth *truth, Trace *trace, Row *row)
+Verdict judge_ray(const Model *m, int method, const Ray *r, const Truth *truth, bool wants_all, Trace *trace, Row *row)
 {
     Shape *s = m->shape[method];
     Hit hit = { .t = INFINITY };
@@ -143,7 +143,10 @@ Verdict judge_ray(const Model *m, int method, const Ray *r, const Truth *truth, 
         else if (!is_hit && v.judgement == JUDGED_RIGHT) v.judgement = JUDGED_FALSE;
     }
     if (is_hit && v.judgement <= JUDGED_IN_BAND && !is_normal(s, r, &hit)) v.judgement = JUDGED_INEXACT;
-    if (v.judgement <= JUDGED_IN_BAND && !has_all_once(s, r, truth, trace)) v.judgement = JUDGED_NOT_ONCE;
+    if (wants_all && v.judgement <= JUDGED_IN_BAND && s->type->all_hits) {
+        row->asked++;
+        if (!has_all_once(s, r, truth, trace)) v.judgement = JUDGED_NOT_ONCE;
+    }
     row->rays++, row->hits += is_hit;
     row->in_band += v.judgement == JUDGED_IN_BAND, row->missed += v.judgement == JUDGED_MISSED;
     row->false_hits += v.judgement == JUDGED_FALSE, row->inexact += v.judgement == JUDGED_INEXACT;

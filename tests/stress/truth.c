@@ -82,11 +82,16 @@ static void kept_distance(const Line *l, const Event *e, Quad *least, Quad *most
     *least = quad_min(*least, quad_min(a, quad_min(b, c))), *most = quad_min(*most, quad_max(a, quad_max(b, c)));
 }
 
+/* Near a root that is as good as triple the slope has a least value, which need not be zero: so its own critical points count
+ * like the zeros of the slope as places where a straight line is no guide. */
 static Event root_event(const Line *l, Quad s, const Quad *critical, int n_critical)
 {
     Quad slope = quad_abs(poly_at(&l->slope, s)), slack = slope > 0 ? l->band * gradient_length(l, s) / slope : l->reach;
-    Quad nearest = l->reach;
+    Quad nearest = l->reach, bends[POLY_MAX];
+    Poly bend = poly_derivative(l->slope);
+    int n_bends = poly_roots(&bend, -l->reach, l->reach, bends);
     for (int i = 0; i < n_critical; i++) nearest = quad_min(nearest, quad_abs(critical[i] - s));
+    for (int i = 0; i < n_bends; i++) nearest = quad_min(nearest, quad_abs(bends[i] - s));
     if (slack * 32 < nearest) return (Event){ s, s - slack * (Quad)1.25, s + slack * (Quad)1.25 };
     Quad step = quad_max(quad_min(slack, nearest) / 4, (Quad)1e-30L);
     return (Event){ s, leave_band(l, s, -step), leave_band(l, s, step) };

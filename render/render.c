@@ -61,12 +61,20 @@ static void end_progress(const Job *job)
 
 /* ---- pixels, tiles, threads ---- */
 
+/* floor(x + .5), without a call. */
+static int64_t rounded(double x)
+{
+    int64_t i = (int64_t)(x + .5);
+    return i - ((double)i > x + .5);
+}
+
 /* Seeds depend on the place alone: samples off the middle of their pixel are told apart by where they are. */
 static uint64_t seed_at(const RenderOptions *o, double x, double y)
 {
-    double column = floor(x + .5), row = floor(y + .5);
-    uint64_t pixel = (uint64_t)(int64_t)row * (uint64_t)o->width + (uint64_t)(int64_t)column;
-    uint64_t sample = (uint64_t)(int64_t)((x - column) * 0x1p31) << 32 ^ (uint64_t)(int64_t)((y - row) * 0x1p31);
+    int64_t column = rounded(x), row = rounded(y);
+    uint64_t pixel = (uint64_t)row * (uint64_t)o->width + (uint64_t)column;
+    uint64_t sample = (uint64_t)(int64_t)((x - (double)column) * 0x1p31) << 32
+                    ^ (uint64_t)(int64_t)((y - (double)row) * 0x1p31);
     return hash_combine(hash_mix(pixel), sample);
 }
 

@@ -61,9 +61,11 @@ void scene_release(Scene *s);                     /* what prepared shapes hold; 
 typedef enum { RAY_CAMERA, RAY_REFLECTED, RAY_TRANSMITTED } RayKind;
 bool scene_hit(const Scene *s, const Ray *r, RayKind kind, Hit *best, Trace *t);
 
-/* Does anything opaque lie in (r->t_min, t_max)? If not, *nearest is the nearest transparent blocker there (t INFINITY:
- * none): shadow.c filters the light by it and asks again beyond it (an opaque part of the same object may be found only
- * then). Objects with no_shadow do not count. */
-bool scene_hit_shadow(const Scene *s, const Ray *r, double t_max, Hit *nearest, Trace *t);
+/* What lies between a point and a light, in (r->t_min, t_max)? Something opaque; or a filter, and *h is the nearest: shadow.c
+ * takes from the light what it does and asks scene_next_filter for what lies beyond it (an opaque part of the same object may
+ * be found only then). Objects with no_shadow do not count. */
+typedef enum { SHADOW_NOTHING, SHADOW_FILTER, SHADOW_BLOCKER } ShadowFind;
+ShadowFind scene_hit_shadow(const Scene *s, const Ray *r, double t_max, Hit *h, Trace *t);
+ShadowFind scene_next_filter(const Scene *s, const Ray *r, double t_max, Hit *h, Trace *t);
 
 #endif

@@ -31,7 +31,8 @@ static Rgb through_map(const Surface *blocker, Rgb light)
 /* Light goes straight on through glass; `caustics` imitates the bundling by a lens. */
 static Rgb past_blocker(const Shadow *q, const Ray *r, const Hit *h, const Medium **media, Rgb light)
 {
-    Surface blocker = surface_at(q->around->scene, r, h);
+    Surface blocker;
+    surface_at(q->around->scene, r, h, &blocker);
     light = through_layers(&blocker, light);
     const Interior *interior = hit_interior(h);
     if (!interior) return light;
@@ -43,17 +44,30 @@ static Rgb past_blocker(const Shadow *q, const Ray *r, const Hit *h, const Mediu
     return c.was_inside ? rgb_mul(light, interior_fade(interior, h->t - r->t_min)) : light;
 }
 
-static Rgb light_along(const Shadow *q, Ray r, double t_max, Rgb light)
+/* The light past all that filters it, of which the first is at h. */
+static Rgb light_past(const Shadow *q, Ray *r, double t_max, Hit *h, Rgb light)
 {
     const Medium *media = q->media;
-    while (r.t_min < t_max && !is_black(light)) {
-        Hit h = { .t = INFINITY };
-        if (scene_hit_shadow(q->around->scene, &r, t_max, &h, q->trace)) return rgb(0, 0, 0);
-        if (isinf(h.t)) break;
-        light = past_blocker(q, &r, &h, &media, light);
-        r.t_min = h.t + 2 * h.t_error;   /* found again it would lie within its error, twice */
+    ShadowFind found = SHADOW_FILTER;
+    MediaScope scope = media_open(q->around);
+    while (found == SHADOW_FILTER) {
+        light = past_blocker(q, r, h, &media, light);
+        r->t_min = h->t + 2 * h->t_error;   /* found again it would lie within its error, twice */
+        if (!(r->t_min < t_max) || is_black(light)) break;
+        found = scene_next_filter(q->around->scene, r, t_max, h, q->trace);
     }
-    return light;
+    media_close(q->around, scope);
+    return found == SHADOW_BLOCKER ? rgb(0, 0, 0) : light;
+}
+
+static Rgb light_along(const Shadow *q, Ray *r, double t_max, Rgb light)
+{
+    Hit h;
+    switch (scene_hit_shadow(q->around->scene, r, t_max, &h, q->trace)) {
+    case SHADOW_BLOCKER: return rgb(0, 0, 0);
+    case SHADOW_FILTER: return light_past(q, r, t_max, &h, light);
+    default: return light;
+    }
 }
 
 /* The light from `to`, at the end of a ray along the unit vector `dir`. */
@@ -64,9 +78,7 @@ static Rgb light_from(const Shadow *q, Vec3 dir, Vec3 to, Rgb light)
     if (!(t_max > 0)) return light;   /* a parallel light's plane is behind the point: nothing can stand between */
     q->trace->is_shadow_ray = true;
     q->trace->counters.shadow_rays++;
-    MediaScope scope = media_open(q->around);
-    light = light_along(q, r, t_max, light);
-    media_close(q->around, scope);
+    light = light_along(q, &r, t_max, light);
     q->trace->is_shadow_ray = false;
     return light;
 }

@@ -145,16 +145,16 @@ static void a_scene_knows_what_rays_it_needs(void **state)
     CHECK(scene_of(inside, 1, 0)->needs_secondary_rays, "an interior texture");
 }
 
-typedef enum { LIT, DARK, FILTERED } Shadow;
+static const ShadowFind LIT = SHADOW_NOTHING, DARK = SHADOW_BLOCKER, FILTERED = SHADOW_FILTER;
 
-static Shadow shadow(const Scene *s, double t_min, double t_max, Hit *h)
+static ShadowFind shadow(const Scene *s, double t_min, double t_max, Hit *h)
 {
     Trace t = { .is_shadow_ray = true };
     Ray r = along_z;
     r.t_min = t_min;
-    if (scene_hit_shadow(s, &r, t_max, h, &t)) return DARK;
+    ShadowFind found = scene_hit_shadow(s, &r, t_max, h, &t);
     CHECK(t.counters.bv_intersections == 0, "counted as a camera ray");
-    return h->t < INFINITY ? FILTERED : LIT;
+    return found;
 }
 
 static void opaque_objects_end_a_shadow_ray(void **state)

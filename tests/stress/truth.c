@@ -16,10 +16,23 @@ typedef struct {
 
 static Quad3 line_at(const Line *l, Quad s) { return quad3_add(l->at, quad3_scale(l->dir, s)); }
 
+/* The length in the world of a normal given in local coordinates. It is a factor, for which few digits will do. */
+static long double normal_length(const Line *l, Quad3 n)
+{
+    const QuadMap *m = &l->f->to_local;
+    const Quad3 *columns[3] = { &m->x, &m->y, &m->z };
+    long double x = (long double)n.x, y = (long double)n.y, z = (long double)n.z, sum = 0;
+    for (int i = 0; i < 3; i++) {
+        const Quad3 *c = columns[i];
+        long double a = (long double)c->x * x + (long double)c->y * y + (long double)c->z * z;
+        sum += a * a;
+    }
+    return sqrtl(sum);
+}
+
 static Quad gradient_length(const Line *l, Quad s)
 {
-    Quad3 n = l->f->form.gradient(&l->f->form, line_at(l, s));
-    return quad3_length(quad_map_normal(&l->f->to_local, n));
+    return normal_length(l, l->f->form.gradient(&l->f->form, line_at(l, s)));
 }
 
 static bool is_in_band(const Line *l, Quad s)
@@ -62,7 +75,7 @@ static void border_distance(const Line *l, Quad s0, Quad s1, Quad *least, Quad *
     *least = *most = HUGE_VALL;
     Quad3 p0 = line_at(l, s0), p1 = line_at(l, s1);
     for (int i = 0; i < f->n_sides; i++) {
-        Quad unit = quad3_length(quad_map_normal(&l->f->to_local, f->side[i].normal));
+        Quad unit = normal_length(l, f->side[i].normal);
         Quad a = (quad3_dot(f->side[i].normal, p0) + f->side[i].at) / unit;
         Quad b = (quad3_dot(f->side[i].normal, p1) + f->side[i].at) / unit;
         *least = quad_min(*least, quad_min(a, b)), *most = quad_min(*most, quad_max(a, b));
@@ -82,16 +95,13 @@ static void kept_distance(const Line *l, const Event *e, Quad *least, Quad *most
     *least = quad_min(*least, quad_min(a, quad_min(b, c))), *most = quad_min(*most, quad_max(a, quad_max(b, c)));
 }
 
-/* Near a root that is as good as triple the slope has a least value, which need not be zero: so its own critical points count
- * like the zeros of the slope as places where a straight line is no guide. */
+/* `critical` are the places where a straight line is no guide: the zeros of the slope, and those of its own derivative, for
+ * near a root that is as good as triple the slope has a least value that need not be zero. */
 static Event root_event(const Line *l, Quad s, const Quad *critical, int n_critical)
 {
     Quad slope = quad_abs(poly_at(&l->slope, s)), slack = slope > 0 ? l->band * gradient_length(l, s) / slope : l->reach;
-    Quad nearest = l->reach, bends[POLY_MAX];
-    Poly bend = poly_derivative(l->slope);
-    int n_bends = poly_roots(&bend, -l->reach, l->reach, bends);
+    Quad nearest = l->reach;
     for (int i = 0; i < n_critical; i++) nearest = quad_min(nearest, quad_abs(critical[i] - s));
-    for (int i = 0; i < n_bends; i++) nearest = quad_min(nearest, quad_abs(bends[i] - s));
     if (slack * 32 < nearest) return (Event){ s, s - slack * (Quad)1.25, s + slack * (Quad)1.25 };
     Quad step = quad_max(quad_min(slack, nearest) / 4, (Quad)1e-30L);
     return (Event){ s, leave_band(l, s, -step), leave_band(l, s, step) };
@@ -125,10 +135,12 @@ static int join_event(Event *list, int n, Event e)
 
 static void find_events(const Line *l, Quad t_centre, Quad t_unit, Truth *out)
 {
-    Quad roots[POLY_MAX], near[POLY_MAX + ALONG];
-    Event events[2 * POLY_MAX + ALONG];
-    int n_roots = poly_roots(&l->g, -l->reach, l->reach, roots);
-    int n_near = poly_roots(&l->slope, -l->reach, l->reach, near), n = 0;
+    Quad roots[POLY_MAX], near[2 * POLY_MAX + ALONG];
+    Event events[3 * POLY_MAX + ALONG];
+    Poly bend = poly_derivative(l->slope);
+    int n_bends = poly_roots(&bend, -l->reach, l->reach, near), n = 0;
+    int n_near = n_bends + poly_roots_between(&l->slope, -l->reach, l->reach, near, n_bends, near + n_bends);
+    int n_roots = poly_roots_between(&l->g, -l->reach, l->reach, near + n_bends, n_near - n_bends, roots);
     for (int i = 0; i < n_roots; i++) n = join_event(events, n, root_event(l, roots[i], near, n_near));
     for (int i = 0; i < ALONG; i++) near[n_near++] = (i - 1) * l->reach / 2;
     for (int i = 0; i < n_near; i++) {

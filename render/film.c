@@ -2,23 +2,12 @@
  * the integers are the same. */
 #include "render/film.h"
 
+#include "render/pages.h"
+
 #include <assert.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/mman.h>
-
-/* Asks for large pages, where the system has them: the first touch of each page of a picture is a trap. */
-static void ask_for_large_pages(void *memory, size_t bytes)
-{
-#ifdef MADV_HUGEPAGE
-    static const uintptr_t PAGE = 4096;
-    uintptr_t from = ((uintptr_t)memory + PAGE - 1) / PAGE * PAGE, to = ((uintptr_t)memory + bytes) / PAGE * PAGE;
-    if (to > from) (void)madvise((void *)from, to - from, MADV_HUGEPAGE);
-#else
-    (void)memory, (void)bytes;
-#endif
-}
 
 Film *film_new(int width, int height)
 {
@@ -30,7 +19,7 @@ Film *film_new(int width, int height)
         free(pixels);
         return NULL;
     }
-    ask_for_large_pages(pixels, (size_t)width * (size_t)height * sizeof *pixels);
+    pages_ask_large(pixels, (size_t)width * (size_t)height * sizeof *pixels);
     *f = (Film){ width, height, pixels };
     return f;
 }

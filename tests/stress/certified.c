@@ -6,16 +6,26 @@
 
 enum { MAX_ROOTS = 64 };
 
-static void truth_of_oracle(const Model *m, const Ray *r, Truth *out)
+static void roots_of_oracle(const Model *m, const Ray *r, double band, Truth *out)
 {
     OracleRoot roots[MAX_ROOTS];
-    int n = oracle_roots(m->own, r, truth_band(&m->at, r), roots, MAX_ROOTS);
+    int n = oracle_roots(m->own, r, band, roots, MAX_ROOTS);
     *out = (Truth){ .length = truth_length(&m->at, r) };
     for (int i = 0; i < n && i < MAX_ROOTS; i++) {
         const OracleRoot *x = &roots[i];
         long double t = (long double)x->t + x->t_tail, moves = x->t_moves + x->t_error;
-        truth_add(out, (TruthRoot){ t, t - moves, t + moves, !x->is_cluster, x->is_sure });
+        truth_add(out, (TruthRoot){ t, t - moves, t + moves, !x->is_cluster, x->is_sure, false });
     }
+}
+
+/* (The oracle takes the doubles as they are; the input's band serves to bound its work at tangencies.) */
+static void truth_of_oracle(const Model *m, const Ray *r, Truth *out)
+{
+    roots_of_oracle(m, r, truth_band(&m->at, r), out);
+    Truth by_input;
+    bool is_in_doubt = truth_is_in_doubt(out);
+    if (is_in_doubt) roots_of_oracle(m, r, truth_input_band(&m->at), &by_input);
+    truth_note_musts(out, is_in_doubt ? &by_input : NULL);
 }
 
 static void release_oracle(Model *m) { oracle_free((Oracle *)m->own); }

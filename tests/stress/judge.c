@@ -17,21 +17,21 @@ void row_add(Row *to, const Row *from)
     to->worst = fmax(to->worst, from->worst), to->slowest = fmax(to->slowest, from->slowest);
 }
 
-/* The first root that a ray must meet; truth->n: none. Roots about t_min are not sure to count. */
-static int first_sure(const Truth *truth, const Ray *r, long double slack)
+/* The first root that a ray must meet; truth->n: none. Roots about t_min need not count. */
+static int first_must(const Truth *truth, const Ray *r, long double slack)
 {
     int i = 0;
-    while (i < truth->n && !(truth_is_sure(&truth->root[i]) && truth->root[i].lo - slack > r->t_min)) i++;
+    while (i < truth->n && !(truth->root[i].is_must && truth->root[i].lo - slack > r->t_min)) i++;
     return i;
 }
 
-/* May root i come before the first sure one, or be it? (Clusters overlap others.) */
+/* May root i come before the first that must be met, or be it? (Clusters overlap others.) */
 static bool is_before(const Truth *truth, int first, int i)
 {
     return i <= first || (first < truth->n && truth->root[i].lo <= truth->root[first].hi);
 }
 
-/* Which root the hit may be, the first sure one or one before it; -1: none. */
+/* Which root the hit may be, the first that must be met or one before it; -1: none. */
 static int root_of(const Truth *truth, int first, long double t, long double slack)
 {
     int found = -1;
@@ -42,7 +42,7 @@ static int root_of(const Truth *truth, int first, long double t, long double sla
     return found;
 }
 
-/* Is there a root after t_min that may or may not be met, before the first sure one? */
+/* Is there a root after t_min that may or may not be met, before the first that must be? */
 static bool is_open(const Truth *truth, int first, const Ray *r, long double slack)
 {
     for (int i = 0; i < truth->n; i++)
@@ -53,7 +53,7 @@ static bool is_open(const Truth *truth, int first, const Ray *r, long double sla
 static Judgement judge(const Truth *truth, const Ray *r, bool is_hit, double t, Row *row)
 {
     long double slack = TRUTH_ERROR * truth->length;
-    int first = first_sure(truth, r, slack);
+    int first = first_must(truth, r, slack);
     bool must = first < truth->n, open = is_open(truth, first, r, slack);
     if (!is_hit) return must ? JUDGED_MISSED : open ? JUDGED_IN_BAND : JUDGED_RIGHT;
     int i = root_of(truth, first, t, slack);
@@ -183,8 +183,8 @@ void judge_report(FILE *to, const Model *m, const Ray *r, const Truth *truth, Ve
             d->n_trims);
     for (int i = 0; i < truth->n; i++) {
         const TruthRoot *root = &truth->root[i];
-        fprintf(to, "   t %.20Lg  -%.3Lg +%.3Lg  %s%s\n", root->t, root->t - root->lo, root->hi - root->t,
-                root->is_odd ? "odd" : "even", root->is_inside ? "" : ", at the border");
+        fprintf(to, "   t %.20Lg  -%.3Lg +%.3Lg  %s%s%s\n", root->t, root->t - root->lo, root->hi - root->t,
+                root->is_odd ? "odd" : "even", root->is_inside ? "" : ", at the border", root->is_must ? ", a must" : "");
     }
     if (v.judgement == JUDGED_NOT_ONCE) report_all_hits(to, m, r);
     fprintf(to, "*/\n");

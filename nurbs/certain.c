@@ -7,6 +7,7 @@
 
 #include <float.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* Halving divides the variation of the derivatives by about two. What bends forever (a pole, a cusp) is left to clip.c,
  * which refines along the ray alone. */
@@ -66,8 +67,8 @@ static bool keep_patch(Preparation *k, uint32_t at, const Vec4 *points, TrimRect
 
 typedef struct { int u, v; } Halvings;
 
-/* Which direction to halve along; false: neither is worth it. Where one is used up, what it would take away stays (a side that
- * collapses to a pole bends by all of itself, however near one looks), and the other is halved for its own share alone. */
+/* Which direction to halve along; false: neither is worth it. Where one is used up, what it would take away stays (a side
+ * that collapses to a pole bends by all of itself, however near one looks), and the other is halved for its own share. */
 static bool choose_halving(const Preparation *k, PatchBend bend, Halvings left, bool *along_u)
 {
     if (!(bend.variation > k->variation)) return false;
@@ -227,7 +228,8 @@ static bool accept_root(void *context, const Patch *p, PatchRay *ray, const Root
     }
     count->reported_hits++;
     k->found = true;
-    CertainHit hit = { u, v, root->depth / k->length, root->distance / k->length, root->depth_error / k->length, k->patch };
+    CertainHit hit = { u, v, root->depth / k->length, root->distance / k->length, root->depth_error / k->length, k->patch,
+                       root->before, root->after };
     return k->take(k, root, &hit);
 }
 
@@ -315,30 +317,34 @@ static int compare_hits(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Parameters of one root, in shares of the patch: rounding at a tangency moves it by some 2^-26. */
-#define SAME_PLACE 0x1p-20
-
-static bool is_near_end(double x, double x0, double x1)
+/* The sign of the normal times the ray's direction where the ray comes to the hit, or where it leaves it. */
+static bool is_facing(const PatchTree *tree, const Ray *r, const CertainHit *h, int side)
 {
-    return double_min(fabs(x - x0), fabs(x - x1)) <= SAME_PLACE * (x1 - x0);
+    return (side ? side : vec_dot(certain_normal(tree, h->patch, h->u, h->v), r->dir)) > 0;
 }
 
-static bool is_on_border(const Patch *p, const CertainHit *h)
+/* Hits whose error bounds overlap cannot be told apart: one root that two neighbours found on their common border, or all
+ * patches that meet at a pole; those that a tangency left in many boxes. The ray goes through the surface there, if it sees
+ * the same side of it before and after; else it touches it, which counts twice, or not at all if there is but one hit.
+ * Writes over hits[0 .. n); returns how many are left. */
+static size_t join_hits(const PatchTree *tree, const Ray *r, CertainHit *hits, size_t n)
 {
-    return is_near_end(h->u, p->u0, p->u1) || is_near_end(h->v, p->v0, p->v1);
+    CertainHit *last = &hits[n - 1];
+    if (n == 1 && hits->before == hits->after) return 1;
+    if (is_facing(tree, r, hits, hits->before) == is_facing(tree, r, last, last->after)) return 1;
+    if (n == 1) return 0;
+    hits[1] = *last;
+    return 2;
 }
 
-/* One root that two neighbours found on their common border (or one patch, on a collapsed side or its own seam), that a
- * tangency left in several boxes, or that patches which meet at a pole found beside it: at one depth a surface is not
- * entered twice. */
-static bool is_same_root(const PatchTree *tree, const Ray *r, const CertainHit *a, const CertainHit *b)
+/* The number of hits, of n in order, that overlap with the first or with one that does. */
+static size_t count_together(const CertainHit *hits, size_t n)
 {
-    if (!(b->t - a->t <= a->depth_error + b->depth_error)) return false;
-    const Patch *p = &tree->patches[a->patch], *q = &tree->patches[b->patch];
-    if (is_on_border(p, a) && is_on_border(q, b)) return true;
-    Vec3 n_a = certain_normal(tree, a->patch, a->u, a->v), n_b = certain_normal(tree, b->patch, b->u, b->v);
-    if (vec_dot(n_a, r->dir) * vec_dot(n_b, r->dir) > 0) return true;
-    return p == q && fabs(a->u - b->u) <= SAME_PLACE * (p->u1 - p->u0) && fabs(a->v - b->v) <= SAME_PLACE * (p->v1 - p->v0);
+    double reach = hits->t + hits->depth_error;
+    size_t i = 1;
+    for (; i < n && hits[i].t - hits[i].depth_error <= reach; i++)
+        reach = double_max(reach, hits[i].t + hits[i].depth_error);
+    return i;
 }
 
 void certain_all(const Surface *s, const PatchTree *tree, const Ray *r, double t_max, Trace *t, CertainList *out)
@@ -348,11 +354,14 @@ void certain_all(const Surface *s, const PatchTree *tree, const Ray *r, double t
     search_patches(&k, r, t_max, t);
     if (k.overflow) out->hits = arena_copy(t->scratch, out->hits, out->n, sizeof *out->hits);
     arena_free(k.overflow);
-    if (out->n == 0) return;
-    qsort(out->hits, out->n, sizeof *out->hits, compare_hits);
-    size_t n = 1;
-    for (size_t i = 1; i < out->n; i++)
-        if (!is_same_root(tree, r, &out->hits[n - 1], &out->hits[i])) out->hits[n++] = out->hits[i];
+    if (out->n > 1) qsort(out->hits, out->n, sizeof *out->hits, compare_hits);
+    size_t n = 0;
+    for (size_t i = 0, together; i < out->n; i += together) {
+        together = count_together(out->hits + i, out->n - i);
+        size_t left = join_hits(tree, r, out->hits + i, together);
+        memmove(out->hits + n, out->hits + i, left * sizeof *out->hits);
+        n += left;
+    }
     out->n = n;
 }
 

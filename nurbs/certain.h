@@ -29,6 +29,7 @@ typedef struct {
     double t, t_error;               /* in units of the ray's direction; as Hit has them */
     double depth_error;              /* |t - true t| is at most this */
     uint32_t patch;
+    signed char before, after;       /* as Root has them */
 } CertainHit;
 
 /* The nearest hit in the open interval (r->t_min, t_max) that no trim cuts away; counts into t. */

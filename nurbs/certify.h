@@ -36,7 +36,9 @@ typedef struct {
     double depth;            /* along the unit direction */
     double depth_error;      /* |depth - true depth| is at most this */
     double distance;         /* the point of the ray at depth is at most this far from the surface */
-    bool is_tangent;         /* several roots closer together than the arithmetic can tell */
+    /* Of several roots closer together than the arithmetic can tell: the signs of (S_s x S_t).d where the ray comes among
+     * them and where it leaves them; if they differ, the roots are even in number. 0, 0: a simple root. */
+    signed char before, after;
 } Root;
 
 /* Called for each root in (t_min, t_max), in no order. It may lower ray->t_max. Returns true to end the search. */

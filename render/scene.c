@@ -1,6 +1,7 @@
 /* The scene: lists that the parser fills, and on them the searches of camera, secondary and shadow rays. */
 #include "render/scene.h"
 
+#include "render/hit_list.h"
 #include "render/shape_tree.h"
 
 /* What hides an object of the scene from a kind of ray. */
@@ -127,6 +128,7 @@ void scene_prepare(Scene *s)
     bool unbounded_first = s->n_objects + s->n_lights >= SORTED_FROM;
     s->tree->shapes = shape_tree_build(s->arena, shapes, flags, n, unbounded_first);
     s->tree->filters = tree_of_filters(s->arena, shapes, flags, n, unbounded_first);
+    s->has_filters = s->tree->filters != NULL;
     s->needs_shadow_rays = lights_cast_shadows(s);
     s->needs_secondary_rays = (all_looks & (LOOKS_CLEAR | LOOKS_REFLECTING)) != 0;
 }
@@ -164,21 +166,18 @@ static bool hit_is_opaque(const Scene *s, const Hit *h)
     return texture_is_opaque(o->texture) && (!o->interior_texture || texture_is_opaque(o->interior_texture));
 }
 
-/* Nearest first; parts without shadow are stepped over. */
-ShadowFind scene_next_filter(const Scene *s, const Ray *r, double t_max, Hit *h, Trace *t)
+ShadowKind scene_shadow_at(const Scene *s, const Hit *h)
 {
-    Ray rest = *r;
-    for (;;) {
-        h->t = t_max;
-        if (!shape_tree_hit(s->tree->filters, &rest, 0, h, t)) return SHADOW_NOTHING;
-        if (!hit_has_flag_no_shadow(h)) return hit_is_opaque(s, h) ? SHADOW_BLOCKER : SHADOW_FILTER;
-        rest.t_min = h->t;
-    }
+    if (hit_has_flag_no_shadow(h)) return SHADOW_NOTHING;
+    return hit_is_opaque(s, h) ? SHADOW_BLOCKER : SHADOW_FILTER;
 }
 
-/* First whatever is wholly opaque, in any order; only then, and only in scenes that have any, those that may filter. */
-ShadowFind scene_hit_shadow(const Scene *s, const Ray *r, double t_max, Hit *h, Trace *t)
+bool scene_blocks(const Scene *s, const Ray *r, double t_max, Trace *t)
 {
-    if (shape_tree_blocks(s->tree->shapes, r, NOT_SURELY_OPAQUE, t_max, t)) return SHADOW_BLOCKER;
-    return s->tree->filters ? scene_next_filter(s, r, t_max, h, t) : SHADOW_NOTHING;
+    return shape_tree_blocks(s->tree->shapes, r, NOT_SURELY_OPAQUE, t_max, t);
+}
+
+void scene_filters(const Scene *s, const Ray *r, HitList *out, Trace *t)
+{
+    if (s->tree->filters) shape_tree_all_hits(s->tree->filters, r, out, t);
 }

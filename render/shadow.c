@@ -1,6 +1,8 @@
 /* Shadow rays: towards points, and towards the samples of area lights. */
 #include "render/shadow.h"
 
+#include "render/hit_list.h"
+
 static bool is_black(Rgb c) { return c.r == 0 && c.g == 0 && c.b == 0; }
 
 static Rgb through_map(const Surface *blocker, Rgb light);
@@ -44,30 +46,33 @@ static Rgb past_blocker(const Shadow *q, const Ray *r, const Hit *h, const Mediu
     return c.was_inside ? rgb_mul(light, interior_fade(interior, h->t - r->t_min)) : light;
 }
 
-/* The light past all that filters it, of which the first is at h. */
-static Rgb light_past(const Shadow *q, Ray *r, double t_max, Hit *h, Rgb light)
+/* What is left of the light beyond the hits. One within the error of the last, twice, is the last found again. */
+static Rgb light_past(const Shadow *q, Ray *r, const HitList *filters, Rgb light)
 {
     const Medium *media = q->media;
-    ShadowFind found = SHADOW_FILTER;
-    MediaScope scope = media_open(q->around);
-    while (found == SHADOW_FILTER) {
-        light = past_blocker(q, r, h, &media, light);
-        r->t_min = h->t + 2 * h->t_error;   /* found again it would lie within its error, twice */
-        if (!(r->t_min < t_max) || is_black(light)) break;
-        found = scene_next_filter(q->around->scene, r, t_max, h, q->trace);
+    for (size_t i = 0; i < filters->n && !is_black(light); i++) {
+        const Hit *h = &filters->hits[i];
+        if (!(h->t > r->t_min)) continue;
+        ShadowKind kind = scene_shadow_at(q->around->scene, h);
+        if (kind == SHADOW_BLOCKER) return rgb(0, 0, 0);
+        if (kind == SHADOW_FILTER) light = past_blocker(q, r, h, &media, light);
+        r->t_min = kind == SHADOW_FILTER ? h->t + 2 * h->t_error : h->t;
     }
-    media_close(q->around, scope);
-    return found == SHADOW_BLOCKER ? rgb(0, 0, 0) : light;
+    return light;
 }
 
+/* All filters at once: mostly the light goes on through them. */
 static Rgb light_along(const Shadow *q, Ray *r, double t_max, Rgb light)
 {
-    Hit h;
-    switch (scene_hit_shadow(q->around->scene, r, t_max, &h, q->trace)) {
-    case SHADOW_BLOCKER: return rgb(0, 0, 0);
-    case SHADOW_FILTER: return light_past(q, r, t_max, &h, light);
-    default: return light;
-    }
+    const Scene *s = q->around->scene;
+    if (scene_blocks(s, r, t_max, q->trace)) return rgb(0, 0, 0);
+    if (!s->has_filters) return light;
+    MediaScope scope = media_open(q->around);
+    HitList filters = hit_list_make(q->around->scratch, t_max);
+    scene_filters(s, r, &filters, q->trace);
+    light = light_past(q, r, &filters, light);
+    media_close(q->around, scope);
+    return light;
 }
 
 /* The light from `to`, at the end of a ray along the unit vector `dir`. */

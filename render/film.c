@@ -13,7 +13,7 @@ Film *film_new(int width, int height)
 {
     assert(width > 0 && height > 0);
     Film *f = malloc(sizeof *f);
-    Pixel *pixels = calloc((size_t)width * (size_t)height, sizeof *pixels);
+    FilmPixel *pixels = calloc((size_t)width * (size_t)height, sizeof *pixels);
     if (!f || !pixels) {
         free(f);
         free(pixels);
@@ -131,23 +131,23 @@ uint16_t film_curve_sample(const FilmCurve *c, double working)
 
 /* Straight (not premultiplied) colour and alpha, linear in the working space. What is brighter than its alpha allows (a
  * highlight on glass) gets more alpha, as POV-Ray does. */
-static Pixel unpremultiplied(const Pixel *p, double *alpha)
+static Pixel unpremultiplied(const FilmPixel *p, double *alpha)
 {
     static const double NO_ALPHA = 1e-6;   /* POV-Ray's divisor where alpha is 0 */
-    double a = 1 - p->transmit, grey = rgb_grey(rgb(p->r, p->g, p->b));
+    double a = 1 - (double)p->transmit, grey = rgb_grey(rgb(p->r, p->g, p->b));
     if (grey > a) a = fmin(1, grey);
     double by = 1 / (a == 0 ? NO_ALPHA : a);
     *alpha = a;
-    return (Pixel){ p->r * by, p->g * by, p->b * by, p->transmit };
+    return (Pixel){ p->r * by, p->g * by, p->b * by, (double)p->transmit };
 }
 
 int film_row(const Film *f, int y, const FilmCurve *curve, bool alpha, uint16_t *out)
 {
-    const Pixel *row = f->pixels + (size_t)y * (size_t)f->width;
+    const FilmPixel *row = f->pixels + (size_t)y * (size_t)f->width;
     uint16_t *start = out;
     for (int x = 0; x < f->width; x++) {
         double a = 1;
-        Pixel p = alpha ? unpremultiplied(&row[x], &a) : row[x];
+        Pixel p = alpha ? unpremultiplied(&row[x], &a) : (Pixel){ row[x].r, row[x].g, row[x].b, 0 };
         *out++ = film_curve_sample(curve, p.r);
         *out++ = film_curve_sample(curve, p.g);
         *out++ = film_curve_sample(curve, p.b);

@@ -11,9 +11,16 @@
 /* Colour as light that arrives (premultiplied, unclipped), and how much of what lies behind the scene shows through. */
 typedef struct { double r, g, b, transmit; } Pixel;
 
+/* As the film keeps it. Files are made of single precision anyway, and memory that is new costs time. */
+typedef struct { float r, g, b, transmit; } FilmPixel;
+static inline FilmPixel film_pixel(Pixel p)
+{
+    return (FilmPixel){ (float)p.r, (float)p.g, (float)p.b, (float)p.transmit };
+}
+
 typedef struct {
     int width, height;
-    Pixel *pixels;              /* row by row from the top left; black and opaque at first */
+    FilmPixel *pixels;          /* row by row from the top left; black and opaque at first */
 } Film;
 
 Film *film_new(int width, int height);    /* NULL: no memory */

@@ -97,8 +97,13 @@ static void render_tile(const Job *job, int tile, Trace *t)
     Sampler sampler = { job, t };
     int x0 = o->x0 + tile % job->n_across * o->block_size, y0 = o->y0 + tile / job->n_across * o->block_size;
     int x1 = lesser(x0 + o->block_size, o->x1), y1 = lesser(y0 + o->block_size, o->y1);
-    Pixel *out = job->film->pixels + (size_t)y0 * (size_t)o->width + (size_t)x0;
-    antialias_block(&o->antialias, x0, y0, x1, y1, render_sample, &sampler, t->scratch, out, (size_t)o->width);
+    size_t across = (size_t)(x1 - x0), n = across * (size_t)(y1 - y0);
+    FilmPixel *out = job->film->pixels + (size_t)y0 * (size_t)o->width + (size_t)x0;
+    ArenaMark mark = arena_mark(t->scratch);
+    Pixel *tile_pixels = ARENA_ARRAY(t->scratch, Pixel, n);
+    antialias_block(&o->antialias, x0, y0, x1, y1, render_sample, &sampler, t->scratch, tile_pixels, across);
+    for (size_t i = 0; i < n; i++) out[i / across * (size_t)o->width + i % across] = film_pixel(tile_pixels[i]);
+    arena_reset(t->scratch, mark);
 }
 
 static void *work(void *context)

@@ -100,7 +100,7 @@ static void check_rgba(Pixel p, int max, const uint16_t expected[4])
     Film *f = film_new(1, 1);
     uint16_t got[4];
     FilmCurve curve = film_curve(GAMMA_POWER, 1, max);
-    f->pixels[0] = p;
+    f->pixels[0] = film_pixel(p);
     assert_int_equal(film_row(f, 0, &curve, true, got), 4);
     for (int i = 0; i < 4; i++)
         CHECK(got[i] == expected[i], "transmit %g, channel %d: %d, not %d", p.transmit, i, got[i], expected[i]);

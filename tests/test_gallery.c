@@ -51,7 +51,7 @@ static void check_threads(const char *scene, NurbsMethod method)
     films[1] = picture(first.scene, 64, n_threads[1]);
     films[2] = picture(again.scene, 64, n_threads[2]);      /* one does */
     for (int i = 0; i < 2; i++)
-        CHECK(memcmp(films[i]->pixels, films[2]->pixels, 64 * 64 * sizeof(Pixel)) == 0, "%s, %s, %d threads", scene,
+        CHECK(memcmp(films[i]->pixels, films[2]->pixels, 64 * 64 * sizeof(FilmPixel)) == 0, "%s, %s, %d threads", scene,
               method_names[method], n_threads[i]);
     for (int i = 0; i < 3; i++) film_free(films[i]);
     read_done(&first);

@@ -44,7 +44,7 @@ static Film *random_film(unsigned seed, int width, int height)
     TestRandom r = test_random(seed);
     Film *f = film_new(width, height);
     for (int i = 0; i < width * height; i++)
-        f->pixels[i] = (Pixel){ test_unit(&r), test_unit(&r), test_unit(&r), i % 5 == 0 ? .25 : 0 };
+        f->pixels[i] = film_pixel((Pixel){ test_unit(&r), test_unit(&r), test_unit(&r), i % 5 == 0 ? .25 : 0 });
     return f;
 }
 

@@ -7,6 +7,7 @@
 
 #include <float.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* Halving divides the variation of the derivatives by about two. What bends forever (a pole, a cusp) is left to clip.c,
  * which refines along the ray alone. */
@@ -69,8 +70,8 @@ static bool keep_tile(Preparation *k, uint32_t at, const Vec4 *net, const Part *
 
 typedef struct { int u, v; } Halvings;
 
-/* Which direction to halve along; false: neither is worth it. Where one is used up, what it would take away stays (a side that
- * collapses to a pole bends by all of itself, however near one looks), and the other is halved for its own share alone. */
+/* Which direction to halve along; false: neither is worth it. Where one is used up, what it would take away stays (a side
+ * that collapses to a pole bends by all of itself, however near one looks), and the other is halved for its own share. */
 static bool choose_halving(const Preparation *k, TileBend bend, Halvings left, bool *along_u)
 {
     if (!(bend.variation > k->variation)) return false;
@@ -239,7 +240,7 @@ static bool accept_root(void *context, const Tile *f, PatchRay *ray, const Root 
     (void)ray;
     Counters *count = &k->trace->counters;
     count->nurbs_hits++;
-    double u = patch_u(f->patch, f->s0 + root->s * f->ds), v = patch_v(f->patch, f->t0 + root->t * f->dt);
+    double u = patch_u(f->patch, root->s), v = patch_v(f->patch, root->t);
     const TrimCell *cell = k->tree->cells[k->tile];
     if (cell) {
         count->trim_tests++;
@@ -248,7 +249,8 @@ static bool accept_root(void *context, const Tile *f, PatchRay *ray, const Root 
     count->reported_hits++;
     k->found = true;
     CertainHit hit = { .u = u, .v = v, .t = root->depth / k->length, .t_error = root->distance / k->length,
-                       .depth_error = root->depth_error / k->length, .tile = k->tile, .part = f };
+                       .depth_error = root->depth_error / k->length, .tile = k->tile, .part = f,
+                       .before = root->before, .after = root->after };
     return k->take(k, root, &hit);
 }
 
@@ -336,34 +338,34 @@ static int compare_hits(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Parameters of one root, in shares of the patch: rounding at a tangency moves it by some 2^-26. */
-#define SAME_PLACE 0x1p-20
-
-static bool is_near_end(double x, double x0, double x1)
+/* The sign of the normal times the ray's direction where the ray comes to the hit, or where it leaves it. */
+static bool is_facing(const TileTree *tree, const Ray *r, const CertainHit *h, int side)
 {
-    return double_min(fabs(x - x0), fabs(x - x1)) <= SAME_PLACE * (x1 - x0);
+    return (side ? side : vec_dot(certain_normal(tree, h->tile, h->u, h->v), r->dir)) > 0;
 }
 
-static TrimRect rect_of(const Tile *f) { return tile_rect(f->patch, (TilePlace){ f->s0, f->t0, f->ds, f->dt }); }
-
-static bool is_on_border(const CertainHit *h)
+/* Hits whose error bounds overlap cannot be told apart: one root that two neighbours found on their common border, or all
+ * patches that meet at a pole; those that a tangency left in many boxes. The ray goes through the surface there, if it sees
+ * the same side of it before and after; else it touches it, which counts twice, or not at all if there is but one hit.
+ * Writes over hits[0 .. n); returns how many are left. */
+static size_t join_hits(const TileTree *tree, const Ray *r, CertainHit *hits, size_t n)
 {
-    TrimRect r = rect_of(h->part);
-    return is_near_end(h->u, r.u0, r.u1) || is_near_end(h->v, r.v0, r.v1);
+    CertainHit *last = &hits[n - 1];
+    if (n == 1 && hits->before == hits->after) return 1;
+    if (is_facing(tree, r, hits, hits->before) == is_facing(tree, r, last, last->after)) return 1;
+    if (n == 1) return 0;
+    hits[1] = *last;
+    return 2;
 }
 
-/* One root that two neighbours found on their common border (or one patch, on a collapsed side or its own seam), that a
- * tangency left in several boxes, or that patches which meet at a pole found beside it: at one depth a surface is not
- * entered twice. */
-static bool is_same_root(const TileTree *tree, const Ray *r, const CertainHit *a, const CertainHit *b)
+/* The number of hits, of n in order, that overlap with the first or with one that does. */
+static size_t count_together(const CertainHit *hits, size_t n)
 {
-    if (!(b->t - a->t <= a->depth_error + b->depth_error)) return false;
-    if (is_on_border(a) && is_on_border(b)) return true;
-    Vec3 n_a = certain_normal(tree, a->tile, a->u, a->v), n_b = certain_normal(tree, b->tile, b->u, b->v);
-    if (vec_dot(n_a, r->dir) * vec_dot(n_b, r->dir) > 0) return true;
-    TrimRect p = rect_of(a->part);
-    return a->part == b->part
-        && fabs(a->u - b->u) <= SAME_PLACE * (p.u1 - p.u0) && fabs(a->v - b->v) <= SAME_PLACE * (p.v1 - p.v0);
+    double reach = hits->t + hits->depth_error;
+    size_t i = 1;
+    for (; i < n && hits[i].t - hits[i].depth_error <= reach; i++)
+        reach = double_max(reach, hits[i].t + hits[i].depth_error);
+    return i;
 }
 
 void certain_all(const Surface *s, const TileTree *tree, const Ray *r, double t_max, Trace *t, CertainList *out)
@@ -373,11 +375,14 @@ void certain_all(const Surface *s, const TileTree *tree, const Ray *r, double t_
     search_tiles(&k, r, t_max, t);
     if (k.overflow) out->hits = arena_copy(t->scratch, out->hits, out->n, sizeof *out->hits);
     arena_free(k.overflow);
-    if (out->n == 0) return;
-    qsort(out->hits, out->n, sizeof *out->hits, compare_hits);
-    size_t n = 1;
-    for (size_t i = 1; i < out->n; i++)
-        if (!is_same_root(tree, r, &out->hits[n - 1], &out->hits[i])) out->hits[n++] = out->hits[i];
+    if (out->n > 1) qsort(out->hits, out->n, sizeof *out->hits, compare_hits);
+    size_t n = 0;
+    for (size_t i = 0, together; i < out->n; i += together) {
+        together = count_together(out->hits + i, out->n - i);
+        size_t left = join_hits(tree, r, out->hits + i, together);
+        memmove(out->hits + n, out->hits + i, left * sizeof *out->hits);
+        n += left;
+    }
     out->n = n;
 }
 

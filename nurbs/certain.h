@@ -32,6 +32,7 @@ typedef struct {
     double depth_error;              /* |t - true t| is at most this */
     uint32_t tile;                   /* of the tree's, */
     const Tile *part;                /* and which part of it */
+    signed char before, after;       /* as Root has them */
 } CertainHit;
 
 /* The nearest hit in the open interval (r->t_min, t_max) that no trim cuts away; counts into t. */

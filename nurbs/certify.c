@@ -74,12 +74,13 @@ ALWAYS_INLINE bool report(const Solve *k, RootVisit visit, void *context)
     Vec3 at = vec_scale(xyz(h), 1 / h[3]);
     double depth = vec_dot(k->r->d, vec_sub(at, k->o));
     if (!(depth > k->r->t_min && depth < k->r->t_max)) return false;
-    /* |J^-1| times the rounding, times how fast the depth changes along the surface */
+    /* the rounding moves the root by J^-1 times itself, and the depth by how that changes along the surface */
     double along_s = vec_dot(k->r->d, vec_sub(xyz(k->last.by_s), vec_scale(at, k->last.by_s[3])));
     double along_t = vec_dot(k->r->d, vec_sub(xyz(k->last.by_t), vec_scale(at, k->last.by_t[3])));
-    double slope = fabs(along_s) * length2(k->j12, k->j22) + fabs(along_t) * length2(k->j11, k->j21);
-    Root root = { .s = clamped(k->s, 0, 1), .t = clamped(k->t, 0, 1), .depth = depth, .distance = 2 * k->rounding,
-                  .depth_error = k->rounding * (1 + slope / fabs(k->det)) };
+    double slope = length2(along_s * k->j22 - along_t * k->j21, along_t * k->j11 - along_s * k->j12);
+    const Tile *f = k->tile;
+    Root root = { .s = f->s0 + clamped(k->s, 0, 1) * f->ds, .t = f->t0 + clamped(k->t, 0, 1) * f->dt,
+                  .depth = depth, .distance = 2 * k->rounding, .depth_error = k->rounding * (1 + slope / fabs(k->det)) };
     return visit(context, k->tile, k->r, &root);
 }
 
@@ -208,7 +209,8 @@ ALWAYS_INLINE bool set_up(Solve *k)
 ALWAYS_INLINE bool solve_one(Solve *k, RootVisit visit, void *context, Trace *trace)
 {
     trace->counters.certificates++;
-    if (k->r->guess == k->tile) k->s = k->r->guess_s, k->t = k->r->guess_t;
+    const Tile *f = k->tile;
+    if (k->r->guess == f) k->s = (k->r->guess_s - f->s0) / f->ds, k->t = (k->r->guess_t - f->t0) / f->dt;
     switch (newton(k, trace)) {
     case NEWTON_INSIDE: return report(k, visit, context);
     case NEWTON_OUTSIDE: return false;

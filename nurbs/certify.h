@@ -15,7 +15,7 @@ typedef struct {
     Vec3 origin, d;          /* d: unit */
     Vec3 n1, n2;             /* unit, perpendicular to d and to each other */
     double t_min, t_max;     /* along d; t_max shrinks as roots are accepted */
-    const Tile *guess;       /* on this tile start from (guess_s, guess_t): the ray comes from there. NULL: none */
+    const Tile *guess;       /* on this tile start from (guess_s, guess_t) of its patch: the ray comes from there. NULL: none */
     double guess_s, guess_t;
 } PatchRay;
 
@@ -32,18 +32,20 @@ typedef struct {
 PatchRay patch_ray(Vec3 origin, Vec3 dir, double t_min, double t_max);    /* dir: unit */
 
 typedef struct {
-    double s, t;             /* local parameters, in [0, 1] */
+    double s, t;             /* parameters of the patch, in [0, 1] */
     double depth;            /* along the unit direction */
     double depth_error;      /* |depth - true depth| is at most this */
     double distance;         /* the point of the ray at depth is at most this far from the surface */
-    bool is_tangent;         /* several roots closer together than the arithmetic can tell */
+    /* Of several roots closer together than the arithmetic can tell: the signs of (S_s x S_t).d where the ray comes among
+     * them and where it leaves them; if they differ, the roots are even in number. 0, 0: a simple root. */
+    signed char before, after;
 } Root;
 
 /* Called for each root in (t_min, t_max), in no order. It may lower ray->t_max. Returns true to end the search. */
 typedef bool (*RootVisit)(void *context, const Tile *tile, PatchRay *ray, const Root *root);
 
-/* All roots on the closed tile; one on a border may also be found on the neighbour. The visitor is told the tile, or a
- * part of it, whose parameters the root has. Returns whether a visit ended it. Counts certificates, fallbacks and iterations
+/* All roots on the closed tile; one on a border may also be found on the neighbour. The visitor is told the tile, or the
+ * part of it, that it was found on. Returns whether a visit ended it. Counts certificates, fallbacks and iterations
  * into t. */
 bool tile_roots(const Tile *tile, PatchRay *ray, RootVisit visit, void *context, Trace *t);
 

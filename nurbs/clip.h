@@ -1,9 +1,8 @@
 /* The fallback of `method certain`: roots of two bivariate Bernstein polynomials by clipping and splitting, with proof.
  *
- * [NSK90] Bézier clipping, preconditioned by the inverse Jacobian at the middle of the box, which makes it
- * converge quadratically at simple roots ([MP09]); where a clip takes less than a fifth, the box is halved. A
- * box is given up only when its hull excludes zero by more than the rounding error, and reported as a root when all of it
- * lies on the ray within that error, or it cannot be halved any more: a tangent hit is a hit. */
+ * Boxes are narrowed (view.h) as long as that takes a fifth, else halved. A box is given up only when its hull excludes zero
+ * by more than the rounding error; it is a root when it is proved to have one at most and Newton's method finds it, or when
+ * all of it, or a needle that is its image, lies on the ray within that error: a tangent hit is a hit. */
 #ifndef TRIMRAY_CLIP_H
 #define TRIMRAY_CLIP_H
 

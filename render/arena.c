@@ -3,6 +3,8 @@
  * a scratch arena that grows and shrinks with every ray asks malloc only once. */
 #include "render/arena.h"
 
+#include "render/pages.h"
+
 #include <stdarg.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -11,6 +13,7 @@
 
 #define ALIGNMENT ((size_t)64)         /* a cache line; enough for any type, vector registers included */
 #define FIRST_BLOCK ((size_t)4096)     /* bytes; a shape that is prepared late often needs no more */
+#define LARGE_BLOCK ((size_t)4 << 20)  /* from here on it will be filled for the most part: two large pages */
 
 typedef struct Block {
     struct Block *older;
@@ -89,6 +92,7 @@ static Block *block_new(Arena *a, size_t bytes)
     size_t size = bytes > a->next_size ? bytes : a->next_size;
     b = aligned_alloc(ALIGNMENT, HEADER + size);
     if (!b) exhausted(a, bytes);
+    if (size >= LARGE_BLOCK) pages_ask_large(b, HEADER + size);
     b->size = size;
     a->bytes += HEADER + size;
     a->next_size = size <= SIZE_MAX / 4 ? 2 * size : size;

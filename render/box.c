@@ -3,24 +3,9 @@
 
 #include <float.h>
 
-Box box_empty(void)
-{
-    return (Box){ { INFINITY, INFINITY, INFINITY }, { -INFINITY, -INFINITY, -INFINITY } };
-}
-
 Box box_infinite(void)
 {
     return (Box){ { -INFINITY, -INFINITY, -INFINITY }, { INFINITY, INFINITY, INFINITY } };
-}
-
-Box box_add_point(Box b, Vec3 p)
-{
-    const double c[3] = { p.x, p.y, p.z };
-    for (int k = 0; k < 3; k++) {
-        b.lo[k] = fminf(b.lo[k], float_down(c[k]));
-        b.hi[k] = fmaxf(b.hi[k], float_up(c[k]));
-    }
-    return b;
 }
 
 Box box_of_points(const Vec3 *points, int n)
@@ -42,24 +27,6 @@ Box box_around(Vec3 centre, Vec3 half)
         b.hi[k] = float_up(nextafter(c[k] + h[k], INFINITY));
     }
     return b;
-}
-
-Box box_union(Box a, Box b)
-{
-    for (int k = 0; k < 3; k++) {
-        a.lo[k] = a.lo[k] < b.lo[k] ? a.lo[k] : b.lo[k];
-        a.hi[k] = a.hi[k] > b.hi[k] ? a.hi[k] : b.hi[k];
-    }
-    return a;
-}
-
-Box box_intersection(Box a, Box b)
-{
-    for (int k = 0; k < 3; k++) {
-        a.lo[k] = a.lo[k] > b.lo[k] ? a.lo[k] : b.lo[k];
-        a.hi[k] = a.hi[k] < b.hi[k] ? a.hi[k] : b.hi[k];
-    }
-    return a;
 }
 
 /* lo - by is rounded to nearest in double before it is rounded down to float: one step further down covers that. */
@@ -84,8 +51,6 @@ Box box_moved(Box b, Vec3 by)
     return b;
 }
 
-bool box_is_empty(Box b) { return !(b.lo[0] <= b.hi[0] && b.lo[1] <= b.hi[1] && b.lo[2] <= b.hi[2]); }
-
 bool box_is_finite(Box b)
 {
     if (box_is_empty(b)) return false;
@@ -97,13 +62,6 @@ bool box_is_finite(Box b)
 bool box_contains(Box b, Vec3 p)
 {
     return b.lo[0] <= p.x && p.x <= b.hi[0] && b.lo[1] <= p.y && p.y <= b.hi[1] && b.lo[2] <= p.z && p.z <= b.hi[2];
-}
-
-double box_area(Box b)
-{
-    if (box_is_empty(b)) return 0;
-    double x = (double)b.hi[0] - b.lo[0], y = (double)b.hi[1] - b.lo[1], z = (double)b.hi[2] - b.lo[2];
-    return isfinite(x + y + z) ? 2 * (x * y + y * z + z * x) : INFINITY;
 }
 
 Vec3 box_centre(Box b)

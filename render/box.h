@@ -11,20 +11,14 @@
 
 typedef struct { float lo[3], hi[3]; } Box;
 
-Box box_empty(void);
 Box box_infinite(void);
 Box box_of_points(const Vec3 *points, int n);
 Box box_from(Vec3 lo, Vec3 hi);                /* corners in any order */
 Box box_around(Vec3 centre, Vec3 half);        /* centre - half to centre + half, half >= 0 */
-Box box_union(Box a, Box b);
-Box box_intersection(Box a, Box b);            /* may be empty */
-Box box_add_point(Box b, Vec3 p);
 Box box_expand(Box b, double by);              /* by >= 0, to every side, rounded outward */
 Box box_moved(Box b, Vec3 by);                 /* rounded outward */
-bool box_is_empty(Box b);
 bool box_is_finite(Box b);                     /* not empty, every side finite */
 bool box_contains(Box b, Vec3 p);
-double box_area(Box b);                        /* 0 if empty; may be +inf */
 Vec3 box_centre(Box b);
 double box_diagonal(Box b);
 
@@ -42,6 +36,50 @@ static inline float float_neighbour(float f, int up)
 /* The largest float <= x, the smallest >= x. */
 static inline float float_down(double x) { float f = (float)x; return (double)f > x ? float_neighbour(f, -1) : f; }
 static inline float float_up(double x) { float f = (float)x; return (double)f < x ? float_neighbour(f, 1) : f; }
+
+/* Building trees asks for these as often as there are boxes, times the depth. */
+static inline Box box_empty(void)
+{
+    return (Box){ { INFINITY, INFINITY, INFINITY }, { -INFINITY, -INFINITY, -INFINITY } };
+}
+
+static inline bool box_is_empty(Box b) { return !(b.lo[0] <= b.hi[0] && b.lo[1] <= b.hi[1] && b.lo[2] <= b.hi[2]); }
+
+static inline Box box_union(Box a, Box b)
+{
+    for (int k = 0; k < 3; k++) {
+        a.lo[k] = b.lo[k] < a.lo[k] ? b.lo[k] : a.lo[k];
+        a.hi[k] = b.hi[k] > a.hi[k] ? b.hi[k] : a.hi[k];
+    }
+    return a;
+}
+
+static inline Box box_intersection(Box a, Box b)      /* may be empty */
+{
+    for (int k = 0; k < 3; k++) {
+        a.lo[k] = b.lo[k] > a.lo[k] ? b.lo[k] : a.lo[k];
+        a.hi[k] = b.hi[k] < a.hi[k] ? b.hi[k] : a.hi[k];
+    }
+    return a;
+}
+
+static inline Box box_add_point(Box b, Vec3 p)        /* coordinates that are no numbers count for nothing */
+{
+    const double c[3] = { p.x, p.y, p.z };
+    for (int k = 0; k < 3; k++) {
+        float down = float_down(c[k]), up = float_up(c[k]);
+        b.lo[k] = down < b.lo[k] ? down : b.lo[k];
+        b.hi[k] = up > b.hi[k] ? up : b.hi[k];
+    }
+    return b;
+}
+
+static inline double box_area(Box b)                  /* 0 if empty; may be +inf */
+{
+    if (box_is_empty(b)) return 0;
+    double x = (double)b.hi[0] - b.lo[0], y = (double)b.hi[1] - b.lo[1], z = (double)b.hi[2] - b.lo[2];
+    return isfinite(x + y + z) ? 2 * (x * y + y * z + z * x) : INFINITY;
+}
 
 /* What the slab test needs of a ray; made once per ray and tree. inverse[k] = 1 / dir[k] keeps the sign of zero. */
 typedef struct { double origin[3], inverse[3]; int is_negative[3]; } BoxRay;

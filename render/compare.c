@@ -117,6 +117,6 @@ Film *compare_picture(const Image *a, const Image *b, double within)
 {
     Film *f = film_new(a->width, a->height);
     for (size_t i = 0; f && i < (size_t)a->width * (size_t)a->height; i++)
-        f->pixels[i] = color_of(largest_difference(a, b, i) / STEP, within, .05 + .25 * grey(a, i));
+        f->pixels[i] = film_pixel(color_of(largest_difference(a, b, i) / STEP, within, .05 + .25 * grey(a, i)));
     return f;
 }

@@ -2,20 +2,24 @@
  * the integers are the same. */
 #include "render/film.h"
 
+#include "render/pages.h"
+
 #include <assert.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 Film *film_new(int width, int height)
 {
     assert(width > 0 && height > 0);
     Film *f = malloc(sizeof *f);
-    Pixel *pixels = calloc((size_t)width * (size_t)height, sizeof *pixels);
+    FilmPixel *pixels = calloc((size_t)width * (size_t)height, sizeof *pixels);
     if (!f || !pixels) {
         free(f);
         free(pixels);
         return NULL;
     }
+    pages_ask_large(pixels, (size_t)width * (size_t)height * sizeof *pixels);
     *f = (Film){ width, height, pixels };
     return f;
 }
@@ -70,29 +74,84 @@ uint16_t film_sample(double working, GammaKind gamma, double gamma_power, int ma
     return film_quantize(srgb_encode(fmaxf((float)film_linear(working, gamma, gamma_power), 0)), max);
 }
 
+/* ---- the curve as a table ---- */
+
+static float float_of(uint32_t bits)
+{
+    float f;
+    memcpy(&f, &bits, sizeof f);
+    return f;
+}
+
+static uint32_t bits_of(float f)
+{
+    uint32_t bits;
+    memcpy(&bits, &f, sizeof bits);
+    return bits;
+}
+
+/* The least float in [0, 1] that becomes `level`. Floats from 0 on ascend as their bits do. */
+static float find_step(const FilmCurve *c, int level, float from)
+{
+    uint32_t low = bits_of(from), high = bits_of(1);
+    while (low < high) {
+        uint32_t middle = low + (high - low) / 2;
+        if (film_sample((double)float_of(middle), c->gamma, c->gamma_power, c->max) >= level) high = middle;
+        else low = middle + 1;
+    }
+    return float_of(low);
+}
+
+FilmCurve film_curve(GammaKind gamma, double gamma_power, int max)
+{
+    FilmCurve c = { .gamma = gamma, .gamma_power = gamma_power, .max = max };
+    if (max != 255) return c;
+    for (int i = 1; i < 256; i++) c.step[i] = find_step(&c, i, c.step[i - 1]);
+    uint32_t level = 0;
+    for (uint32_t i = 1; i < FILM_N_FIRST; i++) {
+        while (level < 255 && c.step[level + 1] <= float_of((FILM_FIRST + i) << 16)) level++;
+        c.first[i] = (uint8_t)level;
+    }
+    return c;
+}
+
+uint16_t film_curve_sample(const FilmCurve *c, double working)
+{
+    float v = (float)working;
+    if (c->max != 255) return film_sample(working, c->gamma, c->gamma_power, c->max);
+    if (!(v > 0)) return 0;               /* NaN, too */
+    if (v >= 1) return 255;
+    uint32_t at = bits_of(v) >> 16;
+    int level = c->first[at > FILM_FIRST ? at - FILM_FIRST : 0];
+    while (level < 255 && v >= c->step[level + 1]) level++;
+    return (uint16_t)level;
+}
+
+/* ---- rows ---- */
+
 /* Straight (not premultiplied) colour and alpha, linear in the working space. What is brighter than its alpha allows (a
  * highlight on glass) gets more alpha, as POV-Ray does. */
-static Pixel unpremultiplied(const Pixel *p, double *alpha)
+static Pixel unpremultiplied(const FilmPixel *p, double *alpha)
 {
     static const double NO_ALPHA = 1e-6;   /* POV-Ray's divisor where alpha is 0 */
-    double a = 1 - p->transmit, grey = rgb_grey(rgb(p->r, p->g, p->b));
+    double a = 1 - (double)p->transmit, grey = rgb_grey(rgb(p->r, p->g, p->b));
     if (grey > a) a = fmin(1, grey);
     double by = 1 / (a == 0 ? NO_ALPHA : a);
     *alpha = a;
-    return (Pixel){ p->r * by, p->g * by, p->b * by, p->transmit };
+    return (Pixel){ p->r * by, p->g * by, p->b * by, (double)p->transmit };
 }
 
-int film_row(const Film *f, int y, GammaKind gamma, double gamma_power, int max, bool alpha, uint16_t *out)
+int film_row(const Film *f, int y, const FilmCurve *curve, bool alpha, uint16_t *out)
 {
-    const Pixel *row = f->pixels + (size_t)y * (size_t)f->width;
+    const FilmPixel *row = f->pixels + (size_t)y * (size_t)f->width;
     uint16_t *start = out;
     for (int x = 0; x < f->width; x++) {
         double a = 1;
-        Pixel p = alpha ? unpremultiplied(&row[x], &a) : row[x];
-        *out++ = film_sample(p.r, gamma, gamma_power, max);
-        *out++ = film_sample(p.g, gamma, gamma_power, max);
-        *out++ = film_sample(p.b, gamma, gamma_power, max);
-        if (alpha) *out++ = film_quantize(a, max);
+        Pixel p = alpha ? unpremultiplied(&row[x], &a) : (Pixel){ row[x].r, row[x].g, row[x].b, 0 };
+        *out++ = film_curve_sample(curve, p.r);
+        *out++ = film_curve_sample(curve, p.g);
+        *out++ = film_curve_sample(curve, p.b);
+        if (alpha) *out++ = film_quantize(a, curve->max);
     }
     return (int)(out - start);
 }

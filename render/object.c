@@ -17,10 +17,12 @@ static Box object_bounds(const Shape *shape)
     return o->is_placed ? xform_box(&o->placement, b) : b;
 }
 
-static Ray ray_within(const Object *o, const Ray *r)
+/* r itself, or what it is within o, in `room`. */
+static const Ray *ray_within(const Object *o, const Ray *r, Ray *room)
 {
-    if (!o->is_placed) return *r;
-    return (Ray){ xform_unpoint(&o->placement, r->origin), xform_unvector(&o->placement, r->dir), r->t_min };
+    if (!o->is_placed) return r;
+    *room = (Ray){ xform_unpoint(&o->placement, r->origin), xform_unvector(&o->placement, r->dir), r->t_min };
+    return room;
 }
 
 /* At most by how much a map stretches a vector: the square root of the largest row sum times the largest column sum
@@ -41,10 +43,17 @@ static double stretch(const Affine *a)
 static double error_outside(const Object *o, const Ray *r, const Ray *within, const Hit *h)
 {
     static const double ROUNDING = 8 * 0x1p-53;
+    double length = vec_length(r->dir);
+    double moved = ROUNDING * (o->stretch_in * (vec_length(r->origin) + h->t * length) + o->shift_in);
+    return o->stretch_out * (h->t_error * vec_length(within->dir) + moved) / length;
+}
+
+static void measure_placement(Object *o)
+{
     const Affine *in = &o->placement.backward;
-    double length = vec_length(r->dir), shift = vec_length(vec(in->m[3][0], in->m[3][1], in->m[3][2]));
-    double moved = ROUNDING * (stretch(in) * (vec_length(r->origin) + h->t * length) + shift);
-    return stretch(&o->placement.forward) * (h->t_error * vec_length(within->dir) + moved) / length;
+    o->stretch_in = stretch(in);
+    o->stretch_out = stretch(&o->placement.forward);
+    o->shift_in = vec_length(vec(in->m[3][0], in->m[3][1], in->m[3][2]));
 }
 
 static void pass(const Object *o, const Ray *r, const Ray *within, Hit *h)
@@ -57,26 +66,28 @@ static void pass(const Object *o, const Ray *r, const Ray *within, Hit *h)
 static bool object_hit(const Shape *shape, const Ray *r, Hit *best, Trace *t)
 {
     const Object *o = (const Object *)shape;
-    Ray within = ray_within(o, r);
-    if (!shape_hit(o->child, &within, best, t)) return false;
-    pass(o, r, &within, best);
+    Ray room;
+    const Ray *within = ray_within(o, r, &room);
+    if (!shape_hit(o->child, within, best, t)) return false;
+    pass(o, r, within, best);
     return true;
 }
 
 static void object_all_hits(const Shape *shape, const Ray *r, HitList *out, Trace *t)
 {
     const Object *o = (const Object *)shape;
-    Ray within = ray_within(o, r);
+    Ray room;
+    const Ray *within = ray_within(o, r, &room);
     size_t first = out->n;
-    shape_all_hits(o->child, &within, out, t);
-    for (size_t i = first; i < out->n; i++) pass(o, r, &within, &out->hits[i]);
+    shape_all_hits(o->child, within, out, t);
+    for (size_t i = first; i < out->n; i++) pass(o, r, within, &out->hits[i]);
 }
 
 static bool object_blocks(const Shape *shape, const Ray *r, double t_max, Trace *t)
 {
     const Object *o = (const Object *)shape;
-    Ray within = ray_within(o, r);
-    return shape_blocks(o->child, &within, t_max, t);
+    Ray room;
+    return shape_blocks(o->child, ray_within(o, r, &room), t_max, t);
 }
 
 static bool object_inside(const Shape *shape, Vec3 p)
@@ -125,6 +136,7 @@ static Object *copy(Arena *a, const Object *o)
     Object *c = wrap(a, o->child);
     c->placement = o->placement;
     c->is_placed = o->is_placed;
+    c->stretch_in = o->stretch_in, c->stretch_out = o->stretch_out, c->shift_in = o->shift_in;
     c->texture = o->texture;
     c->texture_space = o->texture_space;
     c->interior_texture = o->interior_texture;
@@ -140,6 +152,7 @@ void object_transform(Object *o, const Xform *x)
     o->placement = xform_then(o->placement, *x);
     o->texture_space = xform_then(o->texture_space, *x);
     o->is_placed = !xform_is_identity(&o->placement);
+    measure_placement(o);
 }
 
 /* One object in place of two, `inner` within `outer`: it looks as a hit through both would look. */
@@ -303,21 +316,29 @@ Vec3 hit_texture_point(const Hit *h, Vec3 world)
     return xform_unpoint(&h->objects[textured]->texture_space, world);
 }
 
+static bool is_same(Vec3 a, Vec3 b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
+
+static void place_normals(const Object *o, Attributes *at)
+{
+    bool is_smooth = !is_same(at->normal, at->shading_normal);
+    at->normal = vec_normalize(xform_normal(&o->placement, at->normal));
+    at->shading_normal = is_smooth ? vec_normalize(xform_normal(&o->placement, at->shading_normal)) : at->normal;
+}
+
 void hit_attributes(const Hit *h, const Ray *world, Attributes *out)
 {
-    Ray r = *world;
-    for (int i = h->n_objects - 1; i >= 0; i--) r = ray_within(h->objects[i], &r);
+    Ray room;
+    const Ray *r = world;
+    for (int i = h->n_objects - 1; i >= 0; i--) r = ray_within(h->objects[i], r, &room);
     Vec3 p = ray_at(world, h->t);
     out->uv = vec2(p.x, p.y);
-    h->shape->type->attributes(h->shape, &r, h, out);
-    double side = 1;
+    h->shape->type->attributes(h->shape, r, h, out);
+    bool is_inverse = false;
     for (int i = 0; i < h->n_objects; i++) {
-        const Object *o = h->objects[i];
-        if (o->is_inverse) side = -side;
-        if (!o->is_placed) continue;
-        out->normal = vec_normalize(xform_normal(&o->placement, out->normal));
-        out->shading_normal = vec_normalize(xform_normal(&o->placement, out->shading_normal));
+        is_inverse ^= h->objects[i]->is_inverse;
+        if (h->objects[i]->is_placed) place_normals(h->objects[i], out);
     }
-    out->normal = vec_scale(out->normal, side);
-    out->shading_normal = vec_scale(out->shading_normal, side);
+    if (!is_inverse) return;
+    out->normal = vec_neg(out->normal);
+    out->shading_normal = vec_neg(out->shading_normal);
 }

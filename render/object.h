@@ -11,7 +11,8 @@ struct Object {
     Shape shape;                   /* an object is a shape */
     Shape *child;                  /* shared */
     Xform placement;               /* from the child's space to the space outside */
-    bool is_placed;                /* placement is not the identity */
+    bool is_placed;                /* placement is not the identity; if so: */
+    double stretch_in, stretch_out, shift_in;   /* at most by how much it stretches and moves, inwards and outwards */
     const Texture *texture;        /* of what lies below without a texture of its own; NULL: none given here */
     Xform texture_space;           /* from the texture's space to the space outside: the transformations written after it */
     const Texture *interior_texture;   /* seen from inside; NULL: `texture` there too */

@@ -27,6 +27,14 @@ static bool plane_hit(const Shape *shape, const Ray *r, Hit *best, Trace *t)
     return true;
 }
 
+static bool plane_blocks(const Shape *shape, const Ray *r, double t_max, Trace *t)
+{
+    const Plane *p = (const Plane *)shape;
+    t->counters.primitive_tests++;
+    double t_hit = (p->distance - vec_dot(p->normal, r->origin)) / vec_dot(p->normal, r->dir);
+    return t_hit > r->t_min && t_hit < t_max;
+}
+
 /* The plane itself counts as inside, as it does for POV-Ray. */
 static bool plane_inside(const Shape *shape, Vec3 point)
 {
@@ -48,8 +56,8 @@ static void plane_write(const Shape *shape, Sdl *out)
 }
 
 static const ShapeType plane_type = {
-    .name = "plane", .bounds = plane_bounds, .hit = plane_hit, .inside = plane_inside, .attributes = plane_attributes,
-    .write = plane_write,
+    .name = "plane", .bounds = plane_bounds, .hit = plane_hit, .blocks = plane_blocks, .inside = plane_inside,
+    .attributes = plane_attributes, .write = plane_write,
 };
 
 Shape *plane_new(Arena *a, Vec3 normal, double distance)

@@ -61,12 +61,20 @@ static void end_progress(const Job *job)
 
 /* ---- pixels, tiles, threads ---- */
 
+/* floor(x + .5), without a call. */
+static int64_t rounded(double x)
+{
+    int64_t i = (int64_t)(x + .5);
+    return i - ((double)i > x + .5);
+}
+
 /* Seeds depend on the place alone: samples off the middle of their pixel are told apart by where they are. */
 static uint64_t seed_at(const RenderOptions *o, double x, double y)
 {
-    double column = floor(x + .5), row = floor(y + .5);
-    uint64_t pixel = (uint64_t)(int64_t)row * (uint64_t)o->width + (uint64_t)(int64_t)column;
-    uint64_t sample = (uint64_t)(int64_t)((x - column) * 0x1p31) << 32 ^ (uint64_t)(int64_t)((y - row) * 0x1p31);
+    int64_t column = rounded(x), row = rounded(y);
+    uint64_t pixel = (uint64_t)row * (uint64_t)o->width + (uint64_t)column;
+    uint64_t sample = (uint64_t)(int64_t)((x - (double)column) * 0x1p31) << 32
+                    ^ (uint64_t)(int64_t)((y - (double)row) * 0x1p31);
     return hash_combine(hash_mix(pixel), sample);
 }
 
@@ -89,8 +97,13 @@ static void render_tile(const Job *job, int tile, Trace *t)
     Sampler sampler = { job, t };
     int x0 = o->x0 + tile % job->n_across * o->block_size, y0 = o->y0 + tile / job->n_across * o->block_size;
     int x1 = lesser(x0 + o->block_size, o->x1), y1 = lesser(y0 + o->block_size, o->y1);
-    Pixel *out = job->film->pixels + (size_t)y0 * (size_t)o->width + (size_t)x0;
-    antialias_block(&o->antialias, x0, y0, x1, y1, render_sample, &sampler, t->scratch, out, (size_t)o->width);
+    size_t across = (size_t)(x1 - x0), n = across * (size_t)(y1 - y0);
+    FilmPixel *out = job->film->pixels + (size_t)y0 * (size_t)o->width + (size_t)x0;
+    ArenaMark mark = arena_mark(t->scratch);
+    Pixel *tile_pixels = ARENA_ARRAY(t->scratch, Pixel, n);
+    antialias_block(&o->antialias, x0, y0, x1, y1, render_sample, &sampler, t->scratch, tile_pixels, across);
+    for (size_t i = 0; i < n; i++) out[i / across * (size_t)o->width + i % across] = film_pixel(tile_pixels[i]);
+    arena_reset(t->scratch, mark);
 }
 
 static void *work(void *context)

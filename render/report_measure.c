@@ -121,7 +121,7 @@ static const char *write_8_bits(const char *path, const Image *p)
     Film *f = film_new(p->width, p->height);
     for (size_t i = 0; f && i < (size_t)p->width * (size_t)p->height; i++) {
         const uint16_t *s = p->rgba + 4 * i;
-        f->pixels[i] = (Pixel){ s[0] / 65535., s[1] / 65535., s[2] / 65535., 0 };
+        f->pixels[i] = film_pixel((Pixel){ s[0] / 65535., s[1] / 65535., s[2] / 65535., 0 });
     }
     const char *wrong = f ? image_write_png(path, f, GAMMA_NONE, 0, 8, false) : "no memory";
     film_free(f);

@@ -1,6 +1,7 @@
 /* The scene: lists that the parser fills, and on them the searches of camera, secondary and shadow rays. */
 #include "render/scene.h"
 
+#include "render/hit_list.h"
 #include "render/shape_tree.h"
 
 /* What hides an object of the scene from a kind of ray. */
@@ -8,10 +9,13 @@ enum {
     NO_IMAGE = 1,
     NO_REFLECTION = 2,
     NOT_SURELY_OPAQUE = 4,     /* not for the any-hit search of shadow rays */
-    NEVER_FILTERS = 8          /* not for their search of transparent blockers: opaque, or without shadow */
+    NEVER_FILTERS = 8          /* not among their transparent blockers: opaque, or without shadow */
 };
 
-struct SceneTree { ShapeTree *shapes; bool has_filters; };
+struct SceneTree {
+    ShapeTree *shapes;
+    ShapeTree *filters;        /* of the objects that may filter light alone; NULL: there are none */
+};
 
 static const Texture *black_texture(Arena *a)
 {
@@ -98,6 +102,16 @@ static bool lights_cast_shadows(const Scene *s)
  * order shows where surfaces coincide. */
 static const size_t SORTED_FROM = 3;
 
+static ShapeTree *tree_of_filters(Arena *a, Shape *const shapes[], const unsigned char *flags, uint32_t n,
+                                  bool unbounded_first)
+{
+    Shape **filters = ARENA_ARRAY(a, Shape *, n);
+    uint32_t n_filters = 0;
+    for (uint32_t i = 0; i < n; i++)
+        if (!(flags[i] & NEVER_FILTERS)) filters[n_filters++] = shapes[i];
+    return n_filters > 0 ? shape_tree_build(a, filters, NULL, n_filters, unbounded_first) : NULL;
+}
+
 void scene_prepare(Scene *s)
 {
     uint32_t n = (uint32_t)s->n_objects;
@@ -109,10 +123,12 @@ void scene_prepare(Scene *s)
         unsigned looks = looks_in_scene(s, s->objects[i]);
         shapes[i] = &s->objects[i]->shape;
         flags[i] = flags_of(s->objects[i], looks);
-        s->tree->has_filters |= !(flags[i] & NEVER_FILTERS);
         all_looks |= looks;
     }
-    s->tree->shapes = shape_tree_build(s->arena, shapes, flags, n, s->n_objects + s->n_lights >= SORTED_FROM);
+    bool unbounded_first = s->n_objects + s->n_lights >= SORTED_FROM;
+    s->tree->shapes = shape_tree_build(s->arena, shapes, flags, n, unbounded_first);
+    s->tree->filters = tree_of_filters(s->arena, shapes, flags, n, unbounded_first);
+    s->has_filters = s->tree->filters != NULL;
     s->needs_shadow_rays = lights_cast_shadows(s);
     s->needs_secondary_rays = (all_looks & (LOOKS_CLEAR | LOOKS_REFLECTING)) != 0;
 }
@@ -150,22 +166,18 @@ static bool hit_is_opaque(const Scene *s, const Hit *h)
     return texture_is_opaque(o->texture) && (!o->interior_texture || texture_is_opaque(o->interior_texture));
 }
 
-/* First whatever is wholly opaque, in any order; only then, and only in scenes that have any, those that may filter, nearest
- * first. Parts without shadow are stepped over. */
-bool scene_hit_shadow(const Scene *s, const Ray *r, double t_max, Hit *nearest, Trace *t)
+ShadowKind scene_shadow_at(const Scene *s, const Hit *h)
 {
-    nearest->t = INFINITY;
-    if (shape_tree_blocks(s->tree->shapes, r, NOT_SURELY_OPAQUE, t_max, t)) return true;
-    Ray rest = *r;
-    while (s->tree->has_filters) {
-        Hit h = { .t = t_max };
-        if (!shape_tree_hit(s->tree->shapes, &rest, NEVER_FILTERS, &h, t)) return false;
-        if (!hit_has_flag_no_shadow(&h)) {
-            if (hit_is_opaque(s, &h)) return true;
-            *nearest = h;
-            return false;
-        }
-        rest.t_min = h.t;
-    }
-    return false;
+    if (hit_has_flag_no_shadow(h)) return SHADOW_NOTHING;
+    return hit_is_opaque(s, h) ? SHADOW_BLOCKER : SHADOW_FILTER;
+}
+
+bool scene_blocks(const Scene *s, const Ray *r, double t_max, Trace *t)
+{
+    return shape_tree_blocks(s->tree->shapes, r, NOT_SURELY_OPAQUE, t_max, t);
+}
+
+void scene_filters(const Scene *s, const Ray *r, HitList *out, Trace *t)
+{
+    if (s->tree->filters) shape_tree_all_hits(s->tree->filters, r, out, t);
 }

@@ -52,7 +52,7 @@ static bool answers_light(const LayerAt *layers, int n)
 {
     for (int i = 0; i < n; i++) {
         const Finish *f = layers[i].finish;
-        if (f->diffuse > 0 || f->diffuse_back > 0 || f->phong > 0 || f->specular > 0) return true;
+        if (f->diffuse > 0 || f->diffuse_back > 0 || finish_shines(f)) return true;
     }
     return false;
 }
@@ -64,25 +64,6 @@ static bool any_lit_from_behind(const LayerAt *layers, int n)
     return false;
 }
 
-/* Light of one colour from one direction, on all layers. */
-typedef struct { Vec3 to_light; Rgb color; bool is_back, has_highlights; } Beam;
-
-static Rgb lit_by(const Surface *at, const LayerAt *layers, int n, const Beam *beam)
-{
-    double cosine = vec_dot(at->normal, beam->to_light);
-    Rgb sum = rgb(0, 0, 0);
-    for (int i = 0; i < n; i++) {
-        const LayerAt *l = &layers[i];
-        double diffuse = finish_diffuse(l->finish, cosine, beam->is_back) * l->opacity;
-        Rgb light = rgb_mul(rgb_scale(l->pigment, diffuse), beam->color);
-        if (beam->has_highlights)
-            light = rgb_add(light, finish_highlights(l->finish, l->pigment, at->normal, at->ray->dir, beam->to_light,
-                                                     beam->color));
-        sum = rgb_add(sum, rgb_mul(l->weight, light));
-    }
-    return sum;
-}
-
 static bool is_double_illuminated(const Hit *h)
 {
     for (int i = 0; i < h->n_objects; i++)
@@ -90,12 +71,22 @@ static bool is_double_illuminated(const Hit *h)
     return false;
 }
 
+/* Light of one colour from one direction, on all layers. */
 static Rgb lit_from(const Surface *at, const LayerAt *layers, int n, const Light *l, Vec3 to_light, Rgb color)
 {
-    bool is_facing = vec_dot(at->normal, to_light) >= GRAZING_LIGHT;
-    bool is_back = !is_facing && !is_double_illuminated(at->hit);
-    Beam beam = { to_light, color, is_back, is_facing && !l->is_shadowless };
-    return lit_by(at, layers, n, &beam);
+    double cosine = vec_dot(at->normal, to_light);
+    bool is_facing = cosine >= GRAZING_LIGHT, is_back = !is_facing && !is_double_illuminated(at->hit);
+    bool has_highlights = is_facing && !l->is_shadowless;
+    Rgb sum = rgb(0, 0, 0);
+    for (int i = 0; i < n; i++) {
+        const LayerAt *on = &layers[i];
+        double diffuse = finish_diffuse(on->finish, cosine, is_back) * on->opacity;
+        Rgb light = rgb_mul(rgb_scale(on->pigment, diffuse), color);
+        if (has_highlights && finish_shines(on->finish))
+            light = rgb_add(light, finish_highlights(on->finish, on->pigment, at->normal, at->ray->dir, to_light, color));
+        sum = rgb_add(sum, rgb_mul(on->weight, light));
+    }
+    return sum;
 }
 
 /* `area_illumination`: every sample shines for itself, all with the one shadow. */
@@ -321,7 +312,8 @@ static Pixel shade_map(Tracer *x, const Surface *at, Path path)
 
 static Pixel shade_hit(Tracer *x, const Ray *r, const Hit *h, Path path)
 {
-    Surface at = surface_at(x->scene, r, h);
+    Surface at;
+    surface_at(x->scene, r, h, &at);
     return shade_texture(x, &at, path);
 }
 
@@ -329,7 +321,6 @@ static Pixel shade_hit(Tracer *x, const Ray *r, const Hit *h, Path path)
 static bool nearest_hit(const Tracer *x, Ray *r, const Path *path, Hit *h)
 {
     for (;;) {
-        *h = (Hit){ .t = INFINITY };
         if (!scene_hit(x->scene, r, path->was_reflected ? RAY_REFLECTED : RAY_CAMERA, h, x->trace)) return false;
         if (path->kind == RAY_CAMERA || !(h->t <= h->t_error)) return true;
         r->t_min = h->t;

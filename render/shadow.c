@@ -1,6 +1,8 @@
 /* Shadow rays: towards points, and towards the samples of area lights. */
 #include "render/shadow.h"
 
+#include "render/hit_list.h"
+
 static bool is_black(Rgb c) { return c.r == 0 && c.g == 0 && c.b == 0; }
 
 static Rgb through_map(const Surface *blocker, Rgb light);
@@ -31,7 +33,8 @@ static Rgb through_map(const Surface *blocker, Rgb light)
 /* Light goes straight on through glass; `caustics` imitates the bundling by a lens. */
 static Rgb past_blocker(const Shadow *q, const Ray *r, const Hit *h, const Medium **media, Rgb light)
 {
-    Surface blocker = surface_at(q->around->scene, r, h);
+    Surface blocker;
+    surface_at(q->around->scene, r, h, &blocker);
     light = through_layers(&blocker, light);
     const Interior *interior = hit_interior(h);
     if (!interior) return light;
@@ -43,16 +46,32 @@ static Rgb past_blocker(const Shadow *q, const Ray *r, const Hit *h, const Mediu
     return c.was_inside ? rgb_mul(light, interior_fade(interior, h->t - r->t_min)) : light;
 }
 
-static Rgb light_along(const Shadow *q, Ray r, double t_max, Rgb light)
+/* What is left of the light beyond the hits. One within the error of the last, twice, is the last found again. */
+static Rgb light_past(const Shadow *q, Ray *r, const HitList *filters, Rgb light)
 {
     const Medium *media = q->media;
-    while (r.t_min < t_max && !is_black(light)) {
-        Hit h = { .t = INFINITY };
-        if (scene_hit_shadow(q->around->scene, &r, t_max, &h, q->trace)) return rgb(0, 0, 0);
-        if (isinf(h.t)) break;
-        light = past_blocker(q, &r, &h, &media, light);
-        r.t_min = h.t + 2 * h.t_error;   /* found again it would lie within its error, twice */
+    for (size_t i = 0; i < filters->n && !is_black(light); i++) {
+        const Hit *h = &filters->hits[i];
+        if (!(h->t > r->t_min)) continue;
+        ShadowKind kind = scene_shadow_at(q->around->scene, h);
+        if (kind == SHADOW_BLOCKER) return rgb(0, 0, 0);
+        if (kind == SHADOW_FILTER) light = past_blocker(q, r, h, &media, light);
+        r->t_min = kind == SHADOW_FILTER ? h->t + 2 * h->t_error : h->t;
     }
+    return light;
+}
+
+/* All filters at once: mostly the light goes on through them. */
+static Rgb light_along(const Shadow *q, Ray *r, double t_max, Rgb light)
+{
+    const Scene *s = q->around->scene;
+    if (scene_blocks(s, r, t_max, q->trace)) return rgb(0, 0, 0);
+    if (!s->has_filters) return light;
+    MediaScope scope = media_open(q->around);
+    HitList filters = hit_list_make(q->around->scratch, t_max);
+    scene_filters(s, r, &filters, q->trace);
+    light = light_past(q, r, &filters, light);
+    media_close(q->around, scope);
     return light;
 }
 
@@ -64,9 +83,7 @@ static Rgb light_from(const Shadow *q, Vec3 dir, Vec3 to, Rgb light)
     if (!(t_max > 0)) return light;   /* a parallel light's plane is behind the point: nothing can stand between */
     q->trace->is_shadow_ray = true;
     q->trace->counters.shadow_rays++;
-    MediaScope scope = media_open(q->around);
-    light = light_along(q, r, t_max, light);
-    media_close(q->around, scope);
+    light = light_along(q, &r, t_max, light);
     q->trace->is_shadow_ray = false;
     return light;
 }

@@ -2,23 +2,34 @@
  * against self-intersection is hit_offset's (ray.h): by the hit's own error, along the surface's own normal. */
 #include "render/surface.h"
 
-Surface surface_at(const Scene *s, const Ray *r, const Hit *h)
+/* Does it matter where on the texture a point lies? */
+static bool texture_varies(const Texture *t)
+{
+    for (int i = 0; i < t->n_layers; i++)
+        if (t->layers[i].pigment->kind != PIGMENT_COLOR) return true;
+    return t->map;
+}
+
+void surface_at(const Scene *s, const Ray *r, const Hit *h, Surface *out)
 {
     Attributes a;
     hit_attributes(h, r, &a);
-    Surface at = { .ray = r, .hit = h, .point = ray_at(r, h->t), .normal = a.shading_normal, .geometric = a.normal,
-                   .uv = a.uv };
     const Object *o = hit_textured_object(h);
-    at.texture = o ? o->texture : s->default_texture;
-    double cosine = -vec_dot(r->dir, at.normal);
-    if (cosine < 0) {
-        at.normal = vec_neg(at.normal);
-        if (o && o->interior_texture) at.texture = o->interior_texture;
-    }
-    at.cos_view = fmin(fabs(cosine), 1);
-    bool by_uv = at.texture->uv_mapping || (o && o->has_uv_mapping);
-    at.texture_point = by_uv ? vec(a.uv.x, a.uv.y, 0) : hit_texture_point(h, at.point);
-    return at;
+    const Texture *texture = o ? o->texture : s->default_texture;
+    double cosine = -vec_dot(r->dir, a.shading_normal);
+    bool is_inside = cosine < 0;
+    if (is_inside && o && o->interior_texture) texture = o->interior_texture;
+    out->ray = r, out->hit = h;
+    out->point = ray_at(r, h->t);
+    out->normal = is_inside ? vec_neg(a.shading_normal) : a.shading_normal;
+    out->geometric = a.normal;
+    out->cos_view = double_min(fabs(cosine), 1);
+    out->offset = hit_offset(h, r);
+    out->texture = texture;
+    out->uv = a.uv;
+    if (!texture_varies(texture)) return;
+    bool by_uv = texture->uv_mapping || (o && o->has_uv_mapping);
+    out->texture_point = by_uv ? vec(a.uv.x, a.uv.y, 0) : hit_texture_point(h, out->point);
 }
 
 Surface surface_with(const Surface *at, const TextureChoice *choice)
@@ -32,19 +43,4 @@ Surface surface_with(const Surface *at, const TextureChoice *choice)
 Color surface_color(const Surface *at, const Layer *layer)
 {
     return pigment_color(layer->pigment, at->texture_point, at->uv);
-}
-
-Vec3 surface_leave(const Surface *at, Vec3 dir)
-{
-    double side = vec_dot(dir, at->geometric) < 0 ? -1 : 1;
-    return vec_add(at->point, vec_scale(at->geometric, side * hit_offset(at->hit, at->ray)));
-}
-
-/* The end F + d D misses T by at most 8 roundings of a coordinate (u = 2^-53): 5 of T - F and its normalization, 2 of the
- * product and the sum, 1 of d; each of no more than |F_i| + |T_i|. The sum over the coordinates bounds the distance. */
-double surface_stop_before(Vec3 from, Vec3 to, double distance)
-{
-    static const double ROUNDING = 8 * 0x1p-53;
-    double size = fabs(from.x) + fabs(from.y) + fabs(from.z) + fabs(to.x) + fabs(to.y) + fabs(to.z);
-    return distance - ROUNDING * size;
 }

@@ -11,18 +11,31 @@ typedef struct {
     Vec3 normal;                 /* unit, for light: turned to the viewer */
     Vec3 geometric;              /* unit, the surface's own: on either side */
     double cos_view;             /* -dir . normal, in [0, 1] */
+    double offset;               /* hit_offset's */
     const Texture *texture;
-    Vec3 texture_point;
+    Vec3 texture_point;          /* only of textures that are not the same everywhere */
     Vec2 uv;
 } Surface;
 
-Surface surface_at(const Scene *s, const Ray *r, const Hit *h);
+void surface_at(const Scene *s, const Ray *r, const Hit *h, Surface *out);
 
 /* Where a ray towards `dir` may start with t_min 0 without meeting this very surface again. */
-Vec3 surface_leave(const Surface *at, Vec3 dir);
+static inline Vec3 surface_leave(const Surface *at, Vec3 dir)
+{
+    double side = vec_dot(dir, at->geometric) < 0 ? -1 : 1;
+    return vec_add(at->point, vec_scale(at->geometric, side * at->offset));
+}
 
-/* The length of a ray from `from` that ends just before `to`, of which it is `distance` away. */
-double surface_stop_before(Vec3 from, Vec3 to, double distance);
+/* The length of a ray from `from` that ends just before `to`, of which it is `distance` away.
+ *
+ * The end F + d D misses T by at most 8 roundings of a coordinate (u = 2^-53): 5 of T - F and its normalization, 2 of the
+ * product and the sum, 1 of d; each of no more than |F_i| + |T_i|. The sum over the coordinates bounds the distance. */
+static inline double surface_stop_before(Vec3 from, Vec3 to, double distance)
+{
+    static const double ROUNDING = 8 * 0x1p-53;
+    double size = fabs(from.x) + fabs(from.y) + fabs(from.z) + fabs(to.x) + fabs(to.y) + fabs(to.z);
+    return distance - ROUNDING * size;
+}
 
 /* The same place with one of the textures that its own chooses from (texture_choose). */
 Surface surface_with(const Surface *at, const TextureChoice *choice);

@@ -2,8 +2,9 @@
  *
  * With n1, n2 unit and perpendicular to the ray (built from its direction without rounding, but for their lengths), the
  * homogeneous surface (P, w) gives the net F = (n1.(P - w o), n2.(P - w o)), and t = d.(P - w o) / (w d.d). The nets are
- * balls of ORACLE_BITS bits; decisions are taken on their midpoints rounded to double, with all errors added to the
- * margin: what is too near to decide is split further.
+ * balls of ORACLE_BITS bits; those of boxes, which only tell where there is nothing, are in fixed point with a counted
+ * error. Decisions are taken on numbers rounded to double, with all errors added to the margin: what is too near to decide
+ * is split further.
  *
  *   exclude   a box has no root if some combination of the two components has coefficients of one sign only. Besides the
  *             components themselves the two are tried that do not feel one of the parameters: near a tangency these are
@@ -63,7 +64,34 @@ static bool is_excluded(const Search *k, const Rounded *r, const Matrix *m)
 
 /* ---- search ---- */
 
-typedef struct { int span; double s[2], width[2]; arb_ptr net; } Box;
+/* `net` is in fixed point, NETS * n coefficients, each off by `error` units at most. */
+typedef struct { int span; double s[2], width[2]; Fixed *net; double unit[NETS], error; } Box;
+
+static Fixed *new_net(const Oracle *o)
+{
+    Fixed *net = malloc((size_t)(NETS * o->n) * sizeof *net);
+    if (!net) abort();
+    return net;
+}
+
+static Box whole_span(Search *k, int span)
+{
+    int n = k->o->n;
+    Box b = { .span = span, .width = { 1, 1 }, .net = new_net(k->o), .error = 1 };
+    for (int m = 0; m < NETS; m++) b.unit[m] = oracle_to_fixed(oracle_net_of(k, span) + m * n, n, b.net + m * n);
+    return b;
+}
+
+static Rounded round_box(const Oracle *o, const Box *b, double *room)
+{
+    Rounded r = { room, 0 };
+    for (int i = 0; i < NETS * o->n; i++) {
+        double unit = b->unit[i / o->n];
+        room[i] = (double)b->net[i] * unit;
+        if (i < 2 * o->n) r.margin = fmax(r.margin, 0x1p-52 * fabs(room[i]) + b->error * unit);
+    }
+    return r;
+}
 
 static Area area_of(const Oracle *o, const Box *b)
 {
@@ -136,12 +164,13 @@ static int axis_to_split(const Search *k, const Box *b, const Rounded *r)
 static Box halve(const Oracle *o, Box *b, int axis)
 {
     Box right = *b;
-    right.net = _arb_vec_init(NETS * o->n);
+    right.net = new_net(o);
     int k_a = o->k[axis];
     for (int r = 0; r < NETS * o->n / k_a; r++) {
-        slong at = axis == 0 ? r * k_a : r / o->k[0] * o->n + r % o->k[0];
-        oracle_row_halve(b->net + at, right.net + at, axis == 0 ? 1 : o->k[0], k_a);
+        int at = axis == 0 ? r * k_a : r / o->k[0] * o->n + r % o->k[0];
+        oracle_fixed_halve(b->net + at, right.net + at, axis == 0 ? 1 : o->k[0], k_a);
     }
+    b->error = right.error = b->error + .5 * (k_a - 1);
     b->width[axis] /= 2, right.width[axis] /= 2;
     right.s[axis] += right.width[axis];
     return right;
@@ -168,12 +197,11 @@ static bool is_enough(const Search *k, const Rounded *r)
 
 static void search_box(Search *k, Box b, double *room)
 {
-    Rounded r;
-    oracle_round_net(k->o, b.net, room, &r);
+    Rounded r = round_box(k->o, &b, room);
     Matrix m = mean_jacobian(k->o, r.c);
     Area a = area_of(k->o, &b);
     bool is_done = is_excluded(k, &r, &m) || is_covered(k, &a);
-    if (!is_done && is_promising(k->o, &r, &m)) is_done = oracle_certify(k, &a);
+    if (!is_done && is_promising(k->o, &r, &m)) is_done = oracle_certify(k, &a, &r);
     int axis = is_done || is_enough(k, &r) ? -1 : axis_to_split(k, &b, &r);
     if (!is_done && (axis < 0 || ++k->n_boxes > MAX_BOXES)) keep_cluster(k, &a, &r), is_done = true;
     if (!is_done) {
@@ -182,7 +210,7 @@ static void search_box(Search *k, Box b, double *room)
         search_box(k, b, room);
         return;
     }
-    _arb_vec_clear(b.net, NETS * k->o->n);
+    free(b.net);
 }
 
 /* ---- results ---- */
@@ -234,10 +262,8 @@ int oracle_roots(const Oracle *o, const Ray *r, double band, OracleRoot *out, in
     oracle_begin_search(&k, o, r, band);
     double *room = calloc((size_t)(NETS * o->n), sizeof *room);
     for (int i = 0; i < o->spans[0] * o->spans[1]; i++) {
-        Box b = { i, { 0, 0 }, { 1, 1 }, _arb_vec_init(NETS * o->n) };
-        Rounded whole;
-        _arb_vec_set(b.net, oracle_net_of(&k, i), NETS * o->n);
-        oracle_round_net(o, b.net, room, &whole);
+        Box b = whole_span(&k, i);
+        Rounded whole = round_box(o, &b, room);
         k.enough = sqrt(band * size_of(&k, &whole)) * ENOUGH;
         search_box(&k, b, room);
     }

@@ -1,6 +1,8 @@
 /* See oracle_net.h. */
 #include "tests/oracle_net.h"
 
+#include <math.h>
+
 /* The blossom at k - 1 - r times tau[mu] and r times tau[mu+1]: de Boor's scheme with an argument of its own at each
  * level. */
 void oracle_bezier_point(int k, const double tau[], int mu, int r, arb_ptr d, arb_t out)
@@ -41,6 +43,34 @@ void oracle_row_halve(arb_ptr c, arb_ptr right, slong stride, int k)
             arb_mul_2exp_si(c + i * stride, c + i * stride, -1);
         }
         arb_set(right + (k - 1 - level) * stride, c + (k - 1) * stride);
+    }
+}
+
+double oracle_to_fixed(arb_srcptr c, int n, Fixed *out)
+{
+    double largest = 0;
+    for (int i = 0; i < n; i++) largest = fmax(largest, fabs(oracle_double(c + i)));
+    int exponent = ilogb(fmax(largest, 0x1p-900)) + 1 - FIXED_BITS;   /* the unit is to be no subnormal */
+    fmpz_t x;
+    arf_t scaled;
+    fmpz_init(x), arf_init(scaled);
+    for (int i = 0; i < n; i++) {
+        mp_limb_t hi, lo;
+        arf_mul_2exp_si(scaled, arb_midref(c + i), -exponent);
+        arf_get_fmpz(x, scaled, ARF_RND_NEAR);
+        fmpz_get_signed_uiui(&hi, &lo, x);
+        out[i] = (Fixed)(mp_limb_signed_t)hi * 0x10000 * 0x10000 * 0x10000 * 0x10000 + (Fixed)lo;
+    }
+    fmpz_clear(x), arf_clear(scaled);
+    return ldexp(1, exponent);
+}
+
+void oracle_fixed_halve(Fixed *c, Fixed *right, int stride, int k)
+{
+    right[(k - 1) * stride] = c[(k - 1) * stride];
+    for (int level = 1; level < k; level++) {
+        for (int i = k - 1; i >= level; i--) c[i * stride] = (c[(i - 1) * stride] + c[i * stride]) >> 1;
+        right[(k - 1 - level) * stride] = c[(k - 1) * stride];
     }
 }
 

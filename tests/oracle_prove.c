@@ -68,6 +68,50 @@ static bool newton_step(Search *k, arb_ptr x, const double scale[2], double *ste
     return ok;
 }
 
+/* ---- where to look: in double, which proves nothing ---- */
+
+/* Value and derivative at x of k coefficients. */
+static void row_in_double(const double *c, int k, double x, double *value, double *derivative)
+{
+    double d[NURBS_MAX_ORDER];
+    d[0] = d[1] = 0;         /* compilers do not know that k >= 2 */
+    for (int i = 0; i < k; i++) d[i] = c[i];
+    for (int level = 1; level < k - 1; level++)
+        for (int i = 0; i < k - level; i++) d[i] += x * (d[i + 1] - d[i]);
+    *derivative = (k - 1) * (d[1] - d[0]);
+    *value = d[0] + x * (d[1] - d[0]);
+}
+
+typedef struct { double value, by_s, by_t; } Point;
+
+static Point net_in_double(const Oracle *o, const double *c, const double x[2])
+{
+    double values[NURBS_MAX_ORDER], slopes[NURBS_MAX_ORDER], unused;
+    for (int j = 0; j < o->k[1]; j++) row_in_double(c + j * o->k[0], o->k[0], x[0], &values[j], &slopes[j]);
+    Point p;
+    row_in_double(values, o->k[1], x[1], &p.value, &p.by_t);
+    row_in_double(slopes, o->k[1], x[1], &p.by_s, &unused);
+    return p;
+}
+
+/* Newton's method on a box's net, in the box's own coordinates. False: it leaves the box's neighbourhood, or does not
+ * settle. */
+static bool guess_root(const Oracle *o, const Rounded *net, double x[2])
+{
+    x[0] = x[1] = .5;
+    for (int i = 0; i < 12; i++) {
+        Point a = net_in_double(o, net->c + A * o->n, x), b = net_in_double(o, net->c + B * o->n, x);
+        double det = a.by_s * b.by_t - a.by_t * b.by_s;
+        double ds = (a.by_t * b.value - b.by_t * a.value) / det, dt = (b.by_s * a.value - a.by_s * b.value) / det;
+        x[0] += ds, x[1] += dt;
+        if (!(fabs(x[0]) <= 3 && fabs(x[1]) <= 3)) return false;
+        if (fabs(ds) < 1e-9 && fabs(dt) < 1e-9) return true;
+    }
+    return false;
+}
+
+/* ---- proof ---- */
+
 /* The hull over an area of the Jacobian by (u, v), of the weight and of its derivatives. */
 typedef struct { Range j[2][2], w_slope[2]; double w_max; } Hull;
 
@@ -218,14 +262,16 @@ static bool is_on_domain(const Search *k, const OracleRoot *r, const Proof *p)
     return true;
 }
 
-bool oracle_certify(Search *k, const Area *box)
+bool oracle_certify(Search *k, const Area *box, const Rounded *net)
 {
+    double start[2];
+    if (!guess_root(k->o, net, start)) return false;
     const double scale[2] = { box->hi[0] - box->lo[0], box->hi[1] - box->lo[1] };
     arb_ptr x = _arb_vec_init(2);
-    for (int axis = 0; axis < 2; axis++) arb_set_d(x + axis, box->lo[axis] / 2 + box->hi[axis] / 2);
+    for (int axis = 0; axis < 2; axis++) arb_set_d(x + axis, box->lo[axis] + start[axis] * scale[axis]);
     double step = 1, at[2], h[2];
     bool ok = true;
-    for (int i = 0; ok && i < 12 && step > 1e-20; i++) {
+    for (int i = 0; ok && i < 6 && step > 1e-20; i++) {
         ok = newton_step(k, x, scale, &step);
         for (int axis = 0; axis < 2; axis++) at[axis] = oracle_double(x + axis);
         for (int axis = 0; axis < 2; axis++) ok = ok && fabs(at[axis] - box->lo[axis]) <= 3 * scale[axis];
@@ -239,7 +285,7 @@ bool oracle_certify(Search *k, const Area *box)
     Proof p;
     ok = ok && step <= 1e-20 && prove(k, x, &f.alone, h, &p);
     if (ok) {
-        for (int i = 0; i < 3 && ok; i++) ok = newton_step(k, x, scale, &step);   /* to some 1e-80 */
+        for (int i = 0; i < 3 && ok && step > 1e-36; i++) ok = newton_step(k, x, scale, &step);
         f.root = describe(k, x, &p);
         f.counts = is_on_domain(k, &f.root, &p);
         for (int i = 0; i < k->n_found; i++) {

@@ -53,8 +53,8 @@ typedef struct { double j[2][2]; } Matrix;              /* j[component][axis] */
 /* ---- proof ---- */
 
 /* Looks for an area about this one that has exactly one root, and notes it in k->found. Returns whether there is one; it
- * covers this one. */
-bool oracle_certify(Search *k, const Area *box);
+ * covers this one. `net` is the box's: where Newton's method begins. */
+bool oracle_certify(Search *k, const Area *box, const Rounded *net);
 
 /* Makes room for one more element: every time that n is a power of two, the list doubles. */
 void *oracle_grow(void *list, int n, size_t size);

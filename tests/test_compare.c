@@ -109,7 +109,7 @@ static void the_picture_of_differences_can_be_read(void **state)
     set_channel(q, 2, 0, 0, 20000 + 2 * 257);
     set_channel(q, 3, 0, 0, 20000 + 170 * 257);
     Film *f = compare_picture(p, q, 1);
-    const Pixel *x = f->pixels;
+    const FilmPixel *x = f->pixels;
     assert_true(x[0].r == x[0].g && x[0].g == x[0].b && x[0].r < .3);
     assert_true(x[1].b > x[1].r && x[1].b > x[1].g);
     assert_true(x[2].r > .9 && x[2].g > .4 && x[2].b < .1);

@@ -66,13 +66,42 @@ static void the_srgb_curve_is_its_definition(void **state)
     }
 }
 
+static void check_curve(const FilmCurve *c, double working)
+{
+    int truth = film_sample(working, c->gamma, c->gamma_power, c->max), found = film_curve_sample(c, working);
+    CHECK(found == truth, "gamma kind %d, %g, of %d: at %a %d, not %d", (int)c->gamma, c->gamma_power, c->max, working, found,
+          truth);
+}
+
+/* At every step, some hundred floats before and behind it, at random between them, and outside. */
+static void a_curve_of_steps_is_the_curve(void **state)
+{
+    (void)state;
+    static const struct { GammaKind gamma; double power; } kinds[] = {
+        { GAMMA_POWER, 1 }, { GAMMA_POWER, 2.2 }, { GAMMA_POWER, .3 }, { GAMMA_POWER, 5 }, { GAMMA_SRGB, 0 }, { GAMMA_NONE, 0 },
+    };
+    TestRandom r = test_random(1);
+    for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++) {
+        FilmCurve c = film_curve(kinds[k].gamma, kinds[k].power, 255), deep = film_curve(kinds[k].gamma, kinds[k].power, 65535);
+        for (int i = 1; i < 256; i++) {
+            float up = c.step[i], down = up;
+            for (int n = 0; n < 100; n++, up = nextafterf(up, 2), down = nextafterf(down, -1))
+                check_curve(&c, up), check_curve(&c, down);
+        }
+        for (int i = 0; i < 100000; i++) check_curve(&c, pow(2, test_range(&r, -40, 2))), check_curve(&deep, test_unit(&r));
+        static const double outside[] = { -1, -0., 0, NAN, 1, 1.5, INFINITY, -INFINITY, 0x1p-149, 0x1p-1074 };
+        for (size_t i = 0; i < sizeof outside / sizeof *outside; i++) check_curve(&c, outside[i]);
+    }
+}
+
 /* One pixel through film_row with alpha. */
 static void check_rgba(Pixel p, int max, const uint16_t expected[4])
 {
     Film *f = film_new(1, 1);
     uint16_t got[4];
-    f->pixels[0] = p;
-    assert_int_equal(film_row(f, 0, GAMMA_POWER, 1, max, true, got), 4);
+    FilmCurve curve = film_curve(GAMMA_POWER, 1, max);
+    f->pixels[0] = film_pixel(p);
+    assert_int_equal(film_row(f, 0, &curve, true, got), 4);
     for (int i = 0; i < 4; i++)
         CHECK(got[i] == expected[i], "transmit %g, channel %d: %d, not %d", p.transmit, i, got[i], expected[i]);
     film_free(f);
@@ -100,9 +129,10 @@ static void a_new_film_is_black_and_opaque(void **state)
 {
     (void)state;
     Film *f = film_new(3, 2);
+    FilmCurve curve = film_curve(GAMMA_POWER, 1, 255);
     uint16_t row[12];
-    assert_int_equal(film_row(f, 1, GAMMA_POWER, 1, 255, false, row), 9);
-    assert_int_equal(film_row(f, 1, GAMMA_POWER, 1, 255, true, row), 12);
+    assert_int_equal(film_row(f, 1, &curve, false, row), 9);
+    assert_int_equal(film_row(f, 1, &curve, true, row), 12);
     for (int i = 0; i < 12; i++) CHECK(row[i] == (i % 4 == 3 ? 255 : 0), "sample %d", i);
     film_free(f);
     film_free(NULL);
@@ -116,6 +146,7 @@ int main(void)
         cmocka_unit_test(what_is_outside_is_clipped),
         cmocka_unit_test(the_curve_rises_and_the_working_space_is_undone),
         cmocka_unit_test(the_srgb_curve_is_its_definition),
+        cmocka_unit_test(a_curve_of_steps_is_the_curve),
         cmocka_unit_test(alpha_is_povrays),
         cmocka_unit_test(a_highlight_on_nothing_is_opaque_as_far_as_it_is_bright),
         cmocka_unit_test(a_new_film_is_black_and_opaque),

@@ -51,7 +51,7 @@ static void check_threads(const char *scene, NurbsMethod method)
     films[1] = picture(first.scene, 64, n_threads[1]);
     films[2] = picture(again.scene, 64, n_threads[2]);      /* one does */
     for (int i = 0; i < 2; i++)
-        CHECK(memcmp(films[i]->pixels, films[2]->pixels, 64 * 64 * sizeof(Pixel)) == 0, "%s, %s, %d threads", scene,
+        CHECK(memcmp(films[i]->pixels, films[2]->pixels, 64 * 64 * sizeof(FilmPixel)) == 0, "%s, %s, %d threads", scene,
               method_names[method], n_threads[i]);
     for (int i = 0; i < 3; i++) film_free(films[i]);
     read_done(&first);
@@ -122,12 +122,12 @@ static Film *scaled_picture(ReadScaled read, const char *scene, int size, double
     return film;
 }
 
-static int worst_of_row(const Film *a, const Film *b, int y, int *n_different)
+static int worst_of_row(const Film *a, const Film *b, int y, const FilmCurve *curve, int *n_different)
 {
     uint16_t rows[2][4 * 1024];
     int worst = 0;
-    film_row(a, y, GAMMA_SRGB, 0, 255, false, rows[0]);
-    film_row(b, y, GAMMA_SRGB, 0, 255, false, rows[1]);
+    film_row(a, y, curve, false, rows[0]);
+    film_row(b, y, curve, false, rows[1]);
     for (int x = 0; x < a->width; x++) {
         int off = 0;
         for (int c = 0; c < 3; c++) {
@@ -145,12 +145,13 @@ static int worst_of_row(const Film *a, const Film *b, int y, int *n_different)
 static void check_scales(ReadScaled read, const char *what, const char *scene, int size)
 {
     static const double scales[2] = { 1e-6, 1e6 };
+    FilmCurve curve = film_curve(GAMMA_SRGB, 0, 255);
     Film *plain = scaled_picture(read, scene, size, 1);
     for (int i = 0; i < 2; i++) {
         Film *scaled = scaled_picture(read, scene, size, scales[i]);
         int worst = 0, n_different = 0;
         for (int y = 0; y < size; y++) {
-            int off = worst_of_row(plain, scaled, y, &n_different);
+            int off = worst_of_row(plain, scaled, y, &curve, &n_different);
             worst = off > worst ? off : worst;
         }
         bool is_same = worst <= 1 && n_different <= size * size / 1000;

@@ -44,16 +44,16 @@ static Film *random_film(unsigned seed, int width, int height)
     TestRandom r = test_random(seed);
     Film *f = film_new(width, height);
     for (int i = 0; i < width * height; i++)
-        f->pixels[i] = (Pixel){ test_unit(&r), test_unit(&r), test_unit(&r), i % 5 == 0 ? .25 : 0 };
+        f->pixels[i] = film_pixel((Pixel){ test_unit(&r), test_unit(&r), test_unit(&r), i % 5 == 0 ? .25 : 0 });
     return f;
 }
 
 static void check_equal(const Film *f, const Image *image, int bits, bool alpha)
 {
-    int max = bits == 16 ? 65535 : 255;
+    FilmCurve curve = film_curve(GAMMA_POWER, 1, bits == 16 ? 65535 : 255);
     for (int y = 0; y < f->height; y++) {
         uint16_t row[4 * 64];
-        int n = film_row(f, y, GAMMA_POWER, 1, max, alpha, row), per_pixel = n / f->width;
+        int n = film_row(f, y, &curve, alpha, row), per_pixel = n / f->width;
         for (int i = 0; i < n; i++) {
             size_t at = ((size_t)y * (size_t)f->width + (size_t)(i / per_pixel)) * 4 + (size_t)(i % per_pixel);
             int expected = bits == 16 ? row[i] : row[i] * 257;

@@ -43,7 +43,7 @@ static void any_number_of_threads_gives_the_same_bytes(void **state)
         arena_free(a);
     }
     for (int i = 1; i < 3; i++) {
-        CHECK(memcmp(films[0]->pixels, films[i]->pixels, WIDTH * HEIGHT * sizeof(Pixel)) == 0, "%d threads", threads[i]);
+        CHECK(memcmp(films[0]->pixels, films[i]->pixels, WIDTH * HEIGHT * sizeof(FilmPixel)) == 0, "%d threads", threads[i]);
         CHECK(counters[i].shadow_rays == counters[0].shadow_rays && counters[i].reflected_rays == counters[0].reflected_rays
               && counters[i].transmitted_rays == counters[0].transmitted_rays, "the counters of %d threads", threads[i]);
     }
@@ -61,7 +61,7 @@ static void every_pixel_is_what_its_ray_sees(void **state)
     Film *film;
     render(s, &o, &film);
     for (int i = 0; i < WIDTH * WIDTH; i += 37) {
-        Pixel p = pixel_at(s, i % WIDTH, i / WIDTH, WIDTH, 9, NULL);
+        FilmPixel p = film_pixel(pixel_at(s, i % WIDTH, i / WIDTH, WIDTH, 9, NULL));
         CHECK(memcmp(&p, &film->pixels[i], sizeof p) == 0, "pixel %d", i);
     }
     film_free(film);
@@ -79,10 +79,10 @@ static void a_part_is_that_part_of_the_whole(void **state)
     render(s, &o, &whole);
     o.x0 = 13, o.x1 = 58, o.y0 = 20, o.y1 = 21;
     RenderResult r = render(s, &o, &part);
-    static const Pixel untouched;
+    static const FilmPixel untouched;
     for (int i = 0; i < WIDTH * HEIGHT; i++) {
         int x = i % WIDTH, y = i / WIDTH;
-        const Pixel *truth = x >= 13 && x < 58 && y == 20 ? &whole->pixels[i] : &untouched;
+        const FilmPixel *truth = x >= 13 && x < 58 && y == 20 ? &whole->pixels[i] : &untouched;
         CHECK(memcmp(&part->pixels[i], truth, sizeof *truth) == 0, "pixel %d, %d", x, y);
     }
     CHECK(r.counters.camera_rays == 45 && !r.interrupted, "%d rays", (int)r.counters.camera_rays);

@@ -1,5 +1,6 @@
 #include "tests/test.h"
 
+#include "render/hit_list.h"
 #include "render/scene.h"
 
 static Arena *arena;
@@ -145,16 +146,23 @@ static void a_scene_knows_what_rays_it_needs(void **state)
     CHECK(scene_of(inside, 1, 0)->needs_secondary_rays, "an interior texture");
 }
 
-typedef enum { LIT, DARK, FILTERED } Shadow;
+static const ShadowKind LIT = SHADOW_NOTHING, DARK = SHADOW_BLOCKER, FILTERED = SHADOW_FILTER;
 
-static Shadow shadow(const Scene *s, double t_min, double t_max, Hit *h)
+/* What a shadow ray meets first; *h: where it is filtered. */
+static ShadowKind shadow(const Scene *s, double t_min, double t_max, Hit *h)
 {
-    Trace t = { .is_shadow_ray = true };
+    Trace t = { .is_shadow_ray = true, .scratch = arena };
     Ray r = along_z;
     r.t_min = t_min;
-    if (scene_hit_shadow(s, &r, t_max, h, &t)) return DARK;
+    HitList filters = hit_list_make(arena, t_max);
+    bool is_blocked = scene_blocks(s, &r, t_max, &t);
+    scene_filters(s, &r, &filters, &t);
     CHECK(t.counters.bv_intersections == 0, "counted as a camera ray");
-    return h->t < INFINITY ? FILTERED : LIT;
+    for (size_t i = 0; i < filters.n && !is_blocked; i++) {
+        *h = filters.hits[i];
+        if (scene_shadow_at(s, h) != LIT) return scene_shadow_at(s, h);
+    }
+    return is_blocked ? DARK : LIT;
 }
 
 static void opaque_objects_end_a_shadow_ray(void **state)

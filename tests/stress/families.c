@@ -371,3 +371,12 @@ const Family stress_shapes[] = {
     { "axis", "other components", 6, { 0, 5e-324, 1e-300, 1e-100, 1e-20, 1e-8 }, build_upright, ray_along_axis, 1 },
 };
 const int n_stress_shapes = COUNT(stress_shapes);
+
+int family_count(void) { return n_stress_shapes + n_stress_trims + n_stress_certified; }
+
+const Family *family_at(int i)
+{
+    if (i < n_stress_shapes) return &stress_shapes[i];
+    i -= n_stress_shapes;
+    return i < n_stress_trims ? &stress_trims[i] : &stress_certified[i - n_stress_trims];
+}

@@ -4,10 +4,12 @@
 
 #include "tests/stress/model.h"
 
+enum { FAMILY_VALUES = 16 };
+
 typedef struct {
     const char *name, *knob;
     int n;
-    double values[16];           /* of the knob */
+    double values[FAMILY_VALUES];    /* of the knob */
     Model (*build)(Arena *a, double knob, TestRandom *r);
     Ray (*ray)(const Model *m, double knob, TestRandom *r);
     double share;                /* of the usual number of rays: truths by the oracle are slow */
@@ -16,5 +18,9 @@ typedef struct {
 /* families.c: shapes with a closed form; trims.c: with trims; certified.c: held against the oracle. */
 extern const Family stress_shapes[], stress_trims[], stress_certified[];
 extern const int n_stress_shapes, n_stress_trims, n_stress_certified;
+
+/* All of them, in this order. */
+int family_count(void);
+const Family *family_at(int i);
 
 #endif

@@ -6,31 +6,32 @@
 #include <string.h>
 #include <time.h>
 
-const char *const judgement_name[] = { "right", "in the band", "missed", "false", "inexact", "not all hits once" };
+const char *const judgement_name[JUDGEMENTS] = { "right", "in the band", "missed", "false", "inexact", "not all hits once" };
 
 void row_add(Row *to, const Row *from)
 {
     to->rays += from->rays, to->hits += from->hits, to->in_band += from->in_band, to->missed += from->missed;
-    to->false_hits += from->false_hits, to->inexact += from->inexact, to->not_once += from->not_once;
+    to->false_hits += from->false_hits, to->inexact += from->inexact;
+    to->asked += from->asked, to->not_once += from->not_once;
     to->tests += from->tests, to->fallbacks += from->fallbacks, to->seconds += from->seconds;
     to->worst = fmax(to->worst, from->worst), to->slowest = fmax(to->slowest, from->slowest);
 }
 
-/* The first root that a ray must meet; truth->n: none. Roots about t_min are not sure to count. */
-static int first_sure(const Truth *truth, const Ray *r, long double slack)
+/* The first root that a ray must meet; truth->n: none. Roots about t_min need not count. */
+static int first_must(const Truth *truth, const Ray *r, long double slack)
 {
     int i = 0;
-    while (i < truth->n && !(truth_is_sure(&truth->root[i]) && truth->root[i].lo - slack > r->t_min)) i++;
+    while (i < truth->n && !(truth->root[i].is_must && truth->root[i].lo - slack > r->t_min)) i++;
     return i;
 }
 
-/* May root i come before the first sure one, or be it? (Clusters overlap others.) */
+/* May root i come before the first that must be met, or be it? (Clusters overlap others.) */
 static bool is_before(const Truth *truth, int first, int i)
 {
     return i <= first || (first < truth->n && truth->root[i].lo <= truth->root[first].hi);
 }
 
-/* Which root the hit may be, the first sure one or one before it; -1: none. */
+/* Which root the hit may be, the first that must be met or one before it; -1: none. */
 static int root_of(const Truth *truth, int first, long double t, long double slack)
 {
     int found = -1;
@@ -41,7 +42,7 @@ static int root_of(const Truth *truth, int first, long double t, long double sla
     return found;
 }
 
-/* Is there a root after t_min that may or may not be met, before the first sure one? */
+/* Is there a root after t_min that may or may not be met, before the first that must be? */
 static bool is_open(const Truth *truth, int first, const Ray *r, long double slack)
 {
     for (int i = 0; i < truth->n; i++)
@@ -52,7 +53,7 @@ static bool is_open(const Truth *truth, int first, const Ray *r, long double sla
 static Judgement judge(const Truth *truth, const Ray *r, bool is_hit, double t, Row *row)
 {
     long double slack = TRUTH_ERROR * truth->length;
-    int first = first_sure(truth, r, slack);
+    int first = first_must(truth, r, slack);
     bool must = first < truth->n, open = is_open(truth, first, r, slack);
     if (!is_hit) return must ? JUDGED_MISSED : open ? JUDGED_IN_BAND : JUDGED_RIGHT;
     int i = root_of(truth, first, t, slack);
@@ -72,7 +73,6 @@ static Judgement judge(const Truth *truth, const Ray *r, bool is_hit, double t, 
  * nothing there but roots? */
 static bool has_all_once(Shape *s, const Ray *r, const Truth *truth, Trace *trace)
 {
-    if (!s->type->all_hits) return true;
     long double slack = TRUTH_ERROR * truth->length;
     ArenaMark mark = arena_mark(trace->scratch);
     HitList list = hit_list_make(trace->scratch, INFINITY);
@@ -123,7 +123,7 @@ static double clock_overhead(void)
     return overhead = (cpu_now() - begin) / 1001;
 }
 
-Verdict judge_ray(const Model *m, int method, const Ray *r, const Truth *truth, Trace *trace, Row *row)
+Verdict judge_ray(const Model *m, int method, const Ray *r, const Truth *truth, bool wants_all, Trace *trace, Row *row)
 {
     Shape *s = m->shape[method];
     Hit hit = { .t = INFINITY };
@@ -143,7 +143,10 @@ Verdict judge_ray(const Model *m, int method, const Ray *r, const Truth *truth, 
         else if (!is_hit && v.judgement == JUDGED_RIGHT) v.judgement = JUDGED_FALSE;
     }
     if (is_hit && v.judgement <= JUDGED_IN_BAND && !is_normal(s, r, &hit)) v.judgement = JUDGED_INEXACT;
-    if (v.judgement <= JUDGED_IN_BAND && !has_all_once(s, r, truth, trace)) v.judgement = JUDGED_NOT_ONCE;
+    if (wants_all && v.judgement <= JUDGED_IN_BAND && s->type->all_hits) {
+        row->asked++;
+        if (!has_all_once(s, r, truth, trace)) v.judgement = JUDGED_NOT_ONCE;
+    }
     row->rays++, row->hits += is_hit;
     row->in_band += v.judgement == JUDGED_IN_BAND, row->missed += v.judgement == JUDGED_MISSED;
     row->false_hits += v.judgement == JUDGED_FALSE, row->inexact += v.judgement == JUDGED_INEXACT;
@@ -180,8 +183,8 @@ void judge_report(FILE *to, const Model *m, const Ray *r, const Truth *truth, Ve
             d->n_trims);
     for (int i = 0; i < truth->n; i++) {
         const TruthRoot *root = &truth->root[i];
-        fprintf(to, "   t %.20Lg  -%.3Lg +%.3Lg  %s%s\n", root->t, root->t - root->lo, root->hi - root->t,
-                root->is_odd ? "odd" : "even", root->is_inside ? "" : ", at the border");
+        fprintf(to, "   t %.20Lg  -%.3Lg +%.3Lg  %s%s%s\n", root->t, root->t - root->lo, root->hi - root->t,
+                root->is_odd ? "odd" : "even", root->is_inside ? "" : ", at the border", root->is_must ? ", a must" : "");
     }
     if (v.judgement == JUDGED_NOT_ONCE) report_all_hits(to, m, r);
     fprintf(to, "*/\n");

@@ -11,7 +11,7 @@ typedef struct {
     uint64_t in_band;            /* the truth leaves it open, or holds t to the band only */
     uint64_t missed, false_hits; /* first hits; and what `blocks` says */
     uint64_t inexact;            /* hits on the right root (JUDGE_NEAR) whose t is wrong, or that have no normal */
-    uint64_t not_once;           /* all hits of a ray: one missing, doubled or where there is no root; outside the band */
+    uint64_t asked, not_once;    /* all hits of so many rays: one missing, doubled, or where no root is; outside the band */
     double worst;                /* |t error| relative to size and distance, outside the band */
     uint64_t tests, fallbacks;
     double seconds, slowest;     /* of all rays, of one */
@@ -19,13 +19,15 @@ typedef struct {
 
 void row_add(Row *to, const Row *from);
 
-typedef enum { JUDGED_RIGHT, JUDGED_IN_BAND, JUDGED_MISSED, JUDGED_FALSE, JUDGED_INEXACT, JUDGED_NOT_ONCE } Judgement;
-extern const char *const judgement_name[];
+typedef enum {
+    JUDGED_RIGHT, JUDGED_IN_BAND, JUDGED_MISSED, JUDGED_FALSE, JUDGED_INEXACT, JUDGED_NOT_ONCE, JUDGEMENTS
+} Judgement;
+extern const char *const judgement_name[JUDGEMENTS];
 
 typedef struct { Judgement judgement; bool is_hit; double t, u, v, seconds; } Verdict;
 
-/* Counts into row. */
-Verdict judge_ray(const Model *m, int method, const Ray *r, const Truth *truth, Trace *trace, Row *row);
+/* Counts into row. wants_all: all hits are asked for, too. */
+Verdict judge_ray(const Model *m, int method, const Ray *r, const Truth *truth, bool wants_all, Trace *trace, Row *row);
 
 /* Writes surface, ray, truth and verdict as C literals. */
 void judge_report(FILE *to, const Model *m, const Ray *r, const Truth *truth, Verdict v);

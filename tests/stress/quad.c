@@ -1,6 +1,9 @@
 /* See quad.h. Roots are isolated by those of the derivative, recursively, and found by Newton's method kept in a bracket. */
 #include "tests/stress/quad.h"
 
+#include <float.h>
+#include <math.h>
+
 QuadMap quad_map_inverse(const QuadMap *m)
 {
     Quad3 yz = quad3_cross(m->y, m->z), zx = quad3_cross(m->z, m->x), xy = quad3_cross(m->x, m->y);
@@ -52,11 +55,30 @@ Quad poly_at(const Poly *a, Quad s)
     return r;
 }
 
+/* About where the root is, to begin from: the same steps with fewer digits. */
+static Quad guess_between(const Poly *a, Quad lo_quad, Quad hi_quad, bool is_rising)
+{
+    long double c[POLY_MAX + 1], lo = (long double)lo_quad, hi = (long double)hi_quad, s = (lo + hi) / 2;
+    for (int i = 0; i <= a->n; i++) c[i] = (long double)a->c[i];
+    for (int step = 0; step < 100; step++) {
+        long double f = c[a->n], slope = 0;
+        for (int i = a->n - 1; i >= 0; i--) slope = slope * s + f, f = f * s + c[i];
+        if ((f < 0) == is_rising) lo = s;
+        else hi = s;
+        long double next = s - f / slope;
+        if (!(next > lo && next < hi)) next = (lo + hi) / 2;
+        if (fabsl(next - s) <= 4 * LDBL_EPSILON * fabsl(s)) return next;
+        s = next;
+    }
+    return s;
+}
+
 /* The root between lo and hi, where a has different signs and no critical point. */
 static Quad root_between(const Poly *a, Quad lo, Quad hi, Quad at_lo)
 {
     Poly d = poly_derivative(*a);
-    Quad s = (lo + hi) / 2;
+    Quad s = guess_between(a, lo, hi, at_lo < 0);
+    if (!(s > lo && s < hi)) s = (lo + hi) / 2;
     for (int step = 0; step < 200; step++) {
         Quad f = poly_at(a, s), slope = poly_at(&d, s);
         if (f == 0) return s;
@@ -86,22 +108,28 @@ static int quadratic_roots(const Poly *p, Quad lo, Quad hi, Quad out[])
     return n;
 }
 
-int poly_roots(const Poly *a, Quad lo, Quad hi, Quad out[])
+int poly_roots_between(const Poly *a, Quad lo, Quad hi, const Quad critical[], int n_critical, Quad out[])
 {
     Poly p = *a;
     while (p.n > 0 && p.c[p.n] == 0) p.n--;
     if (p.n == 0) return 0;
     if (p.n == 2) return quadratic_roots(&p, lo, hi, out);
-    Poly d = poly_derivative(p);
-    Quad ends[POLY_MAX + 1];
-    int n_ends = 1 + poly_roots(&d, lo, hi, ends + 1), n = 0;
-    ends[0] = lo, ends[n_ends++] = hi;
-    Quad f = poly_at(&p, lo);
-    for (int i = 0; i + 1 < n_ends; i++) {
-        Quad g = poly_at(&p, ends[i + 1]);
-        if (g == 0 && i + 2 < n_ends) out[n++] = ends[i + 1];
-        else if (f != 0 && g != 0 && (f < 0) != (g < 0)) out[n++] = root_between(&p, ends[i], ends[i + 1], f);
-        f = g;
+    int n = 0;
+    Quad begin = lo, f = poly_at(&p, lo);
+    for (int i = 0; i <= n_critical; i++) {
+        Quad end = i < n_critical ? critical[i] : hi, g = poly_at(&p, end);
+        if (g == 0 && i < n_critical) out[n++] = end;
+        else if (f != 0 && g != 0 && (f < 0) != (g < 0)) out[n++] = root_between(&p, begin, end, f);
+        begin = end, f = g;
     }
     return n;
+}
+
+int poly_roots(const Poly *a, Quad lo, Quad hi, Quad out[])
+{
+    Quad critical[POLY_MAX];
+    if (a->n == 0) return 0;
+    Poly d = poly_derivative(*a);
+    int n = a->n > 2 ? poly_roots(&d, lo, hi, critical) : 0;
+    return poly_roots_between(a, lo, hi, critical, n, out);
 }

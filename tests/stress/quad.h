@@ -66,4 +66,7 @@ Quad poly_at(const Poly *a, Quad s);
  * pair of roots that is closer than it: who cares looks at the roots of the derivative too. Room for a.n. */
 int poly_roots(const Poly *a, Quad lo, Quad hi, Quad out[]);
 
+/* The same, given these places of the derivative. */
+int poly_roots_between(const Poly *a, Quad lo, Quad hi, const Quad critical[], int n_critical, Quad out[]);
+
 #endif

@@ -185,6 +185,6 @@ const Family stress_trims[] = {
     { "trim edge", "distance", 7, { 1e-1, 1e-4, 1e-7, 1e-9, 1e-11, 1e-12, 1e-13 }, build_circle, ray_at_edge, 1 },
     { "trims touching", "gap", 7, { 1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 0 }, build_touching, ray_at_trim, 1 },
     { "trim sliver", "width", 6, { 1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12 }, build_sliver, ray_at_trim, 1 },
-    { "trim pieces", "pieces", 5, { 3, 30, 1e3, 3e4, 1e6 }, build_pieces, ray_at_trim, .12 },
+    { "trim pieces", "pieces", 5, { 3, 30, 1e3, 3e4, 1e6 }, build_pieces, ray_at_trim, .5 },
 };
 const int n_stress_trims = COUNT(stress_trims);

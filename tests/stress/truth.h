@@ -1,22 +1,31 @@
-/* What a ray must meet, may meet and must not meet; and the band between.
+/* What a ray must meet, may meet and must not meet; and the two bands between. With u = 2^-53, X the largest coordinate of
+ * the control points, O the sum of those of the ray's origin, L = X + O:
  *
- * The band. A surface is given by doubles, and the true shape differs from the given one by their rounding: half a unit
- * in the last place of each coordinate and weight moves a point by up to (sqrt(3)/2 + 1) 2^-52 L, L the largest
- * coordinates in sight (of the control points, plus those of the ray's origin). Whoever works in double adds the
- * roundings of Bezier extraction, evaluation and the plane equations: 2 (k_u + k_v + 8) of 2^-53 L (patch_rounding in
- * nurbs/certify.h); that much is at stake at each end of a decision, and once more for what lies between the two ends. So
- * `band` = BAND_ROUNDINGS (k_u + k_v + 8) 2^-53 L is the distance by which a ray and a surface may pass or miss each
- * other unnoticed:
- *   - a root is sure if it stays, wherever the surface moves by up to the band along its normal, and does not leave the
- *     shape's border by it; all others may be met or not;
- *   - lo and hi say where along the ray it may move to. Where that is more than TRUTH_ERROR L, the ray grazes, and the
- *     hit is held to [lo, hi] instead of to TRUTH_ERROR. */
+ * What is given. A surface is given by doubles, so the true shape is moved by half a unit in the last place of each
+ * coordinate, sqrt(3) u X in space, and of each weight: that moves a point of the surface, a mean of control points, by at
+ * most u times the largest distance to one of them, 2 sqrt(3) u X. Together 5.2 u X; a trim's own points, in a domain of
+ * size X, add no more than the rest of
+ *     INPUT_ROUNDINGS u X = 6 u X: 3 units in the last place of the largest coordinate.
+ * A root that stays wherever the surface moves by this band, and does not leave the shape's border or trims by it, is one of
+ * the surface that was given: it must be met.
+ *
+ * What is computed. A method that works in double knows its equations to some R only: (k_u + k_v + 8) u X for the points of
+ * its patches, twice that times L for evaluating one and for the plane equations (rounding_of_patches in nurbs/certain.c,
+ * patch_rounding in nurbs/certify.h), so R = 3 (k_u + k_v + 8) u L. To miss nothing it must take for a hit what R cannot
+ * tell from one, and its numbers are off by R themselves: a ray may pass at 2 R and be met. With the input's 6 u and what is
+ * lost to second order that is 6 to 7 of
+ *     BAND_ROUNDINGS (k_u + k_v + 8) u L = 8 (k_u + k_v + 8) u L: for bicubics 64 units in the last place of L.
+ * With half of it, one ray of 12,000 of the families is met falsely. What passes at more must not be met.
+ *
+ * lo and hi say where along the ray a root may move to by the second band. Where that is more than TRUTH_ERROR L, the ray
+ * grazes, and the hit is held to [lo, hi] instead of to TRUTH_ERROR. */
 #ifndef TRIMRAY_STRESS_TRUTH_H
 #define TRIMRAY_STRESS_TRUTH_H
 
 #include "tests/stress/form.h"
 #include "render/ray.h"
 
+#define INPUT_ROUNDINGS 6
 #define BAND_ROUNDINGS 8
 #define TRUTH_ERROR 1e-12
 
@@ -24,7 +33,9 @@ typedef struct {
     long double t, lo, hi;       /* in units of the ray's direction; of a cluster t is any place in it */
     bool is_odd;                 /* the number of roots in [lo, hi] is odd: one at least stays */
     bool is_inside;              /* clear of the border */
+    bool is_must;                /* [lo, hi] has a root that must be met, though what is computed may not tell which */
 } TruthRoot;
+/* Whoever computes within the band meets this one, and knows it for one root. */
 static inline bool truth_is_sure(const TruthRoot *r) { return r->is_odd && r->is_inside; }
 
 #define TRUTH_MAX 64
@@ -48,12 +59,19 @@ typedef struct {
 } FormInWorld;
 
 long double truth_length(const FormInWorld *f, const Ray *r);   /* Truth.length */
-double truth_band(const FormInWorld *f, const Ray *r);
+double truth_band(const FormInWorld *f, const Ray *r);          /* what is computed */
+double truth_input_band(const FormInWorld *f);                  /* what is given */
 
 /* All that the ray's line meets, whatever its t_min. */
 void truth_of_form(const FormInWorld *f, const Ray *r, Truth *out);
 
 /* Adds a root where it belongs in order; it overlaps none. */
 void truth_add(Truth *t, TruthRoot root);
+
+/* Is there a root in doubt: sure by the input's band, perhaps, but not by this one? */
+bool truth_is_in_doubt(const Truth *t);
+
+/* Notes what must be met, given the truth by the input's band (NULL: nothing is in doubt). */
+void truth_note_musts(Truth *t, const Truth *by_input);
 
 #endif

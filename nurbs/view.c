@@ -1,0 +1,146 @@
+/* Boxes of a patch in the frame of a ray: making, restricting, evaluating. See view.h. */
+#include "nurbs/view.h"
+
+#include "nurbs/patch_kernel.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+View view_of(Arena *scratch, const Patch *p, const PatchRay *r)
+{
+    Vec3 o = vec_sub(r->origin, p->origin);
+    double q1 = vec_dot(r->n1, o), q2 = vec_dot(r->n2, o);
+    View v = { .k_u = p->k_u, .k_v = p->k_v, .p = ARENA_ARRAY(scratch, Vec4, p->k_u * p->k_v), .w_s = 1, .w_t = 1 };
+    for (int i = 0; i < p->k_u * p->k_v; i++) {
+        Vec4 h = p->p[i];
+        Vec3 x = vec(h.x, h.y, h.z);
+        v.p[i] = vec4(vec_dot(r->n1, x) - h.w * q1, vec_dot(r->n2, x) - h.w * q2, vec_dot(r->d, x), h.w);
+    }
+    return v;
+}
+
+View view_copy(Arena *scratch, const View *v)
+{
+    View copy = *v;
+    copy.p = arena_copy(scratch, v->p, (size_t)(v->k_u * v->k_v), sizeof *v->p);
+    return copy;
+}
+
+/* ---- restricting ---- */
+
+/* Lines of k coefficients, `stride` apart, side by side: the part before x. */
+ALWAYS_INLINE void keep_before(Vec4 *p, int k, int stride, int width, double x)
+{
+    for (int n = 1; n < k; n++)
+        for (int i = k - 1; i >= n; i--)
+            for (int c = 0; c < width; c++) {
+                Vec4 *q = p + i * stride + c;
+                v4_store(q, v4_load(q - stride) * (1 - x) + v4_load(q) * x);
+            }
+}
+
+/* The part after x. */
+ALWAYS_INLINE void keep_after(Vec4 *p, int k, int stride, int width, double x)
+{
+    for (int n = 1; n < k; n++)
+        for (int i = 0; i < k - n; i++)
+            for (int c = 0; c < width; c++) {
+                Vec4 *q = p + i * stride + c;
+                v4_store(q, v4_load(q) * (1 - x) + v4_load(q + stride) * x);
+            }
+}
+
+ALWAYS_INLINE void restrict_lines(Vec4 *p, int k, int stride, int width, Range part)
+{
+    if (part.hi < 1) keep_before(p, k, stride, width, part.hi);
+    if (part.lo > 0) keep_after(p, k, stride, width, part.lo / part.hi);
+}
+
+EVERY_X86
+static void restrict_points(View *v, bool along_s, Range part)
+{
+    if (!along_s) restrict_lines(v->p, v->k_v, v->k_u, v->k_u, part);
+    else for (int j = 0; j < v->k_v; j++) restrict_lines(v->p + j * v->k_u, v->k_u, 1, 1, part);
+}
+
+void view_restrict(View *v, bool along_s, Range part)
+{
+    if (part.lo <= 0 && part.hi >= 1) return;
+    restrict_points(v, along_s, part);
+    double *start = along_s ? &v->s0 : &v->t0, *width = along_s ? &v->w_s : &v->w_t;
+    *start += part.lo * *width, *width *= part.hi - part.lo;
+    /* each end that moves takes k - 1 convex combinations, of 3 roundings each */
+    v->drift += 0.5 * DBL_EPSILON * 3 * ((along_s ? v->k_u : v->k_v) - 1) * ((part.lo > 0) + (part.hi < 1));
+}
+
+/* ---- bounds ---- */
+
+EVERY_X86
+ViewExtent view_extent(const View *v)
+{
+    ViewExtent e = { { v->p->x, v->p->x }, { v->p->y, v->p->y }, v->p->w };
+    for (int i = 1; i < v->k_u * v->k_v; i++) {
+        const Vec4 *p = &v->p[i];
+        e.x.lo = double_min(p->x, e.x.lo), e.x.hi = double_max(p->x, e.x.hi);
+        e.y.lo = double_min(p->y, e.y.lo), e.y.hi = double_max(p->y, e.y.hi);
+        e.w_max = double_max(p->w, e.w_max);
+    }
+    return e;
+}
+
+/* A quotient of convex combinations lies between the extreme quotients of the coefficients. */
+Range view_depth(const View *v)
+{
+    Range r = { INFINITY, -INFINITY };
+    for (int i = 0; i < v->k_u * v->k_v; i++) {
+        double d = v->p[i].z / v->p[i].w;
+        r.lo = double_min(r.lo, d), r.hi = double_max(r.hi, d);
+    }
+    return r;
+}
+
+/* ---- points ---- */
+
+ALWAYS_INLINE Jet jet_of(double value, double by_s, double by_t, double w_s, double w_t, double over_w)
+{
+    double x = value * over_w;
+    return (Jet){ x, (by_s - x * w_s) * over_w, (by_t - x * w_t) * over_w };
+}
+
+ViewPoint view_point(const View *v, double s, double t)
+{
+    Patch patch = { .k_u = v->k_u, .k_v = v->k_v, .p = v->p };
+    Vec4 h, h_s, h_t;
+    patch_evaluate(&patch, s, t, &h, &h_s, &h_t);
+    double over_w = 1 / h.w;
+    return (ViewPoint){ s, t, jet_of(h.x, h_s.x, h_t.x, h_s.w, h_t.w, over_w),
+                        jet_of(h.y, h_s.y, h_t.y, h_s.w, h_t.w, over_w), jet_of(h.z, h_s.z, h_t.z, h_s.w, h_t.w, over_w) };
+}
+
+/* ---- which side is longer ---- */
+
+Lengths view_image(const View *v)
+{
+    Lengths most = { 0, 0 };
+    for (int j = 0; j < v->k_v; j++)
+        for (int i = 0; i < v->k_u; i++) {
+            const Vec4 *p = v->p + j * v->k_u + i, *next = p + 1, *above = p + v->k_u;
+            if (i + 1 < v->k_u) most.by_s = double_max(most.by_s, double_max(fabs(next->x - p->x), fabs(next->y - p->y)));
+            if (j + 1 < v->k_v) most.by_t = double_max(most.by_t, double_max(fabs(above->x - p->x), fabs(above->y - p->y)));
+        }
+    return (Lengths){ (v->k_u - 1) * most.by_s, (v->k_v - 1) * most.by_t };
+}
+
+Lengths view_depths(const View *v)
+{
+    Lengths most = { 0, 0 };
+    for (int j = 0; j < v->k_v; j++)
+        for (int i = 0; i < v->k_u; i++) {
+            const Vec4 *p = v->p + j * v->k_u + i, *next = p + 1, *above = p + v->k_u;
+            double depth = p->z / p->w;
+            if (i + 1 < v->k_u) most.by_s = double_max(most.by_s, fabs(next->z / next->w - depth));
+            if (j + 1 < v->k_v) most.by_t = double_max(most.by_t, fabs(above->z / above->w - depth));
+        }
+    return (Lengths){ (v->k_u - 1) * most.by_s, (v->k_v - 1) * most.by_t };
+}

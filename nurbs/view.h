@@ -1,0 +1,60 @@
+/* A patch, or a box of it, as a ray sees it: a rational patch again, in the ray's own frame. Its coefficients are
+ *   x, y   the two plane equations times the weight: zero together exactly at a root;
+ *   z, w   numerator and denominator of the depth, from the patch's origin on.
+ * All that is asked of a box is computed from its own coefficients, in its own coordinates s, t in [0, 1]: where much of
+ * space lies within little of the patch's parameters (weights of a large ratio), their last bits would be too coarse.
+ *
+ * Rounding. The first coefficients are as exact as `rounding` says (certify.h), times the weights; of the roundings that it
+ * counts, those of an evaluation, 2 (k_u + k_v) + 4, are not used up yet. Restricting is a convex combination. Its error is
+ * relative to the coefficients: a halving, (k - 1) u of the largest. Those of the plane equations shrink with the box, for
+ * it is the longer side of their image that is halved: all halvings together err by 2 (k_u + k_v) u of the first at most. A
+ * clip errs by three times as much, but takes a fifth or more, and mostly nearly all. PATCH_SLACK covers the rest. The depth
+ * does not shrink: `drift` adds up its errors. */
+#ifndef TRIMRAY_VIEW_H
+#define TRIMRAY_VIEW_H
+
+#include "nurbs/certify.h"
+
+typedef struct {
+    int k_u, k_v;
+    Vec4 *p;                 /* k_u * k_v coefficients, s fastest */
+    double s0, t0;           /* where the box begins in the patch */
+    double w_s, w_t;         /* how wide it is there: apart from s0 and t0, whose last bits may be wider */
+    double drift;            /* of the depth, by all restrictions so far: relative to the patch's radius */
+} View;
+
+typedef struct { double lo, hi; } Range;
+
+/* The whole patch; the memory comes from `scratch`. */
+View view_of(Arena *scratch, const Patch *p, const PatchRay *r);
+View view_copy(Arena *scratch, const View *v);
+
+/* To the part [lo, hi] of the box, along s or along t. Ends that stay keep their bits. */
+void view_restrict(View *v, bool along_s, Range part);
+
+/* Extremes of the plane equations' coefficients, and the largest weight. */
+typedef struct { Range x, y; double w_max; } ViewExtent;
+ViewExtent view_extent(const View *v);
+
+/* Bounds of the depth. */
+Range view_depth(const View *v);
+
+/* A number and its derivatives by s and t. */
+typedef struct { double value, by_s, by_t; } Jet;
+typedef struct { double s, t; Jet x, y, z; } ViewPoint;      /* over the weight */
+ViewPoint view_point(const View *v, double s, double t);
+
+/* The largest coefficients of the derivatives by s and t, of the plane equations; and of the depth, about. */
+typedef struct { double by_s, by_t; } Lengths;
+Lengths view_image(const View *v);
+Lengths view_depths(const View *v);
+
+/* The part of the box outside which no root lies, if the plane equations are within `error` of what they should be; empty:
+ * lo > hi. [NSK90] Bézier clipping, preconditioned by the inverse of the mean Jacobian, which makes it converge
+ * quadratically at simple roots ([MP09]). *is_certified is set if that proves that there is one root at most. Where the
+ * box's image is a needle that does not turn back, *across is the greatest distance of its coefficients from the ray, seen
+ * along it; else infinite. See narrow.c. */
+typedef struct { Range s, t; } ViewPart;
+ViewPart view_narrow(const View *v, double error, Arena *scratch, bool *is_certified, double *across);
+
+#endif

@@ -202,29 +202,42 @@ struct Search {
 
 static double lerp(double a, double b, double x) { return x >= 1 ? b : a + x * (b - a); }
 
+/* How far S(u, v) moves along the patch's frame for a unit step along d, at the middle: the tangent part of d, in shares of
+ * the patch. */
+static Vec2 step_along(const Patch *p, Vec3 d)
+{
+    double uv = vec_dot(p->e_u, p->e_v), u = vec_dot(p->e_u, d), v = vec_dot(p->e_v, d), det = 1 - uv * uv;
+    return vec2((u - uv * v) / (2 * det * p->half_u), (v - uv * u) / (2 * det * p->half_v));
+}
+
 /* Faces that share an edge have trims that lie along the same curve in space, but not in the same parameters: where each
  * says that the other has the point, a ray would pass between them. So a root counts as kept if a trim passes as near as the
- * root is uncertain: `distance` in space, through the lengths of the derivatives at the middle, and the last bits of u and
- * v. */
-static bool is_near_trim(const TrimTree *trims, const Patch *p, const Root *root, double u, double v)
+ * root is uncertain: in space by its distance to all sides, and along the ray by the error of its depth, which is more where
+ * it grazes; in u and v by their last bits. */
+static bool is_near_trim(const TrimTree *trims, const Patch *p, Vec3 d, const Root *root, double u, double v)
 {
-    double du = root->distance * (p->u1 - p->u0) / (2 * p->half_u) + 2 * DBL_EPSILON * fabs(u);
-    double dv = root->distance * (p->v1 - p->v0) / (2 * p->half_v) + 2 * DBL_EPSILON * fabs(v);
-    TrimRect band = { u - du, u + du, v - dv, v + dv };
-    return trim_class(trims, band) != TRIM_CUT;    /* a collapsed side makes the band infinite: mixed */
+    double w_u = p->u1 - p->u0, w_v = p->v1 - p->v0;
+    double du = root->distance * w_u / (2 * p->half_u) + 2 * DBL_EPSILON * fabs(u);
+    double dv = root->distance * w_v / (2 * p->half_v) + 2 * DBL_EPSILON * fabs(v);
+    Vec2 along = vec2_scale(step_along(p, d), root->depth_error);
+    for (int i = -1; i <= 1; i++) {
+        double u_i = u + i * along.x * w_u, v_i = v + i * along.y * w_v;
+        TrimRect band = { u_i - du, u_i + du, v_i - dv, v_i + dv };
+        if (trim_class(trims, band) != TRIM_CUT) return true;    /* a collapsed side makes the band infinite: mixed */
+    }
+    return false;
 }
 
 static bool accept_root(void *context, const Patch *p, PatchRay *ray, const Root *root)
 {
     Search *k = context;
-    (void)ray;
     Counters *count = &k->trace->counters;
     count->nurbs_hits++;
     double u = lerp(p->u0, p->u1, root->s), v = lerp(p->v0, p->v1, root->t);
     const TrimCell *cell = k->tree->cells[k->patch];
     if (cell) {
         count->trim_tests++;
-        if (!trim_cell_keeps(cell, u, v) && !is_near_trim(k->s->trims, p, root, u, v)) return false;
+        if (!trim_cell_keeps(cell, u, v) && !is_near_trim(k->s->trims, p, ray->d, root, u, v)) return false;
     }
     count->reported_hits++;
     k->found = true;

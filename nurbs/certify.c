@@ -197,7 +197,7 @@ ALWAYS_INLINE bool hull_is_off(const Solve *k)
 {
     const Patch *p = k->p;
     int k_u = p->k_u, k_v = p->k_v, n = k_u * k_v;
-    double a[HULL_POINTS], b[HULL_POINTS], g[HULL_POINTS], error = PATCH_SLACK * k->rounding * p->w_max;
+    double a[HULL_POINTS], b[HULL_POINTS], g[HULL_POINTS], error = k->rounding * p->w_max;
     a[0] = b[0] = g[0] = 0;    /* compilers do not know that there is a point */
     for (int i = 0; i < n; i++) {
         Vec3 x = vec(p->p[i].x, p->p[i].y, p->p[i].z);

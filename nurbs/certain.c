@@ -221,30 +221,45 @@ struct Search {
     Arena *overflow;          /* what its first room does not hold */
 };
 
+static Vec3 from_floats(const float x[3]) { return vec(x[0], x[1], x[2]); }
+
+/* How far S moves in the patch's parameters for a unit step along d, at the middle of the tile: the tangent part of d. */
+static Vec2 step_along(const Tile *f, Vec3 d)
+{
+    Vec3 a = from_floats(f->half_s), b = from_floats(f->half_t);
+    double aa = vec_dot(a, a), ab = vec_dot(a, b), bb = vec_dot(b, b), ad = vec_dot(a, d), bd = vec_dot(b, d);
+    double det = 2 * (aa * bb - ab * ab);
+    return vec2(f->ds * (bb * ad - ab * bd) / det, f->dt * (aa * bd - ab * ad) / det);
+}
+
 /* Faces that share an edge have trims that lie along the same curve in space, but not in the same parameters: where each
  * says that the other has the point, a ray would pass between them. So a root counts as kept if a trim passes as near as the
- * root is uncertain: `distance` in space, through the lengths of the derivatives at the middle, and the last bits of u and
- * v. */
-static bool is_near_trim(const TrimTree *trims, const Tile *f, const Root *root, double u, double v)
+ * root is uncertain: in space by its distance to all sides, and along the ray by the error of its depth, which is more where
+ * it grazes; in u and v by their last bits. */
+static bool is_near_trim(const TrimTree *trims, const Tile *f, Vec3 d, const Root *root, double u, double v)
 {
-    const Patch *p = f->patch;
-    double du = root->distance * f->ds * (p->u1 - p->u0) / (2.0 * f->length_s) + 2 * DBL_EPSILON * fabs(u);
-    double dv = root->distance * f->dt * (p->v1 - p->v0) / (2.0 * f->length_t) + 2 * DBL_EPSILON * fabs(v);
-    TrimRect band = { u - du, u + du, v - dv, v + dv };
-    return trim_class(trims, band) != TRIM_CUT;    /* a collapsed side makes the band infinite: mixed */
+    double w_u = f->patch->u1 - f->patch->u0, w_v = f->patch->v1 - f->patch->v0;
+    double du = root->distance * f->ds * w_u / (2.0 * f->length_s) + 2 * DBL_EPSILON * fabs(u);
+    double dv = root->distance * f->dt * w_v / (2.0 * f->length_t) + 2 * DBL_EPSILON * fabs(v);
+    Vec2 along = vec2_scale(step_along(f, d), root->depth_error);
+    for (int i = -1; i <= 1; i++) {
+        double u_i = u + i * along.x * w_u, v_i = v + i * along.y * w_v;
+        TrimRect band = { u_i - du, u_i + du, v_i - dv, v_i + dv };
+        if (trim_class(trims, band) != TRIM_CUT) return true;    /* a collapsed side makes the band infinite: mixed */
+    }
+    return false;
 }
 
 static bool accept_root(void *context, const Tile *f, PatchRay *ray, const Root *root)
 {
     Search *k = context;
-    (void)ray;
     Counters *count = &k->trace->counters;
     count->nurbs_hits++;
     double u = patch_u(f->patch, root->s), v = patch_v(f->patch, root->t);
     const TrimCell *cell = k->tree->cells[k->tile];
     if (cell) {
         count->trim_tests++;
-        if (!trim_cell_keeps(cell, u, v) && !is_near_trim(k->s->trims, f, root, u, v)) return false;
+        if (!trim_cell_keeps(cell, u, v) && !is_near_trim(k->s->trims, f, ray->d, root, u, v)) return false;
     }
     count->reported_hits++;
     k->found = true;

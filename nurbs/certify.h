@@ -26,9 +26,6 @@ typedef struct {
 /* Newton's step that is shorter than this share of the patch or box is the last: the next error is about its square. */
 #define LAST_STEP 0x1p-26
 
-/* A hull that stays this many roundings away from zero has no zero: see clip.c. */
-#define PATCH_SLACK 1.5
-
 PatchRay patch_ray(Vec3 origin, Vec3 dir, double t_min, double t_max);    /* dir: unit */
 
 typedef struct {

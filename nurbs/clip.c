@@ -8,7 +8,9 @@
 
 #include <math.h>
 
-#define ON_THE_RAY 1.25      /* a box whose coefficients are within that many errors of zero cannot be told from the ray */
+/* A box whose coefficients are within so many errors of zero cannot be told from the ray, nor a point. The error itself must
+ * be accepted, lest anything be missed; the quarter more is what lets boxes be decided that are no larger than that. */
+#define ON_THE_RAY 1.25
 /* A box on the ray that is longer than this share of the tile's shorter side is no tangent point (those are some 2^-26 long,
  * 2^-17 at a cusp): the ray runs in the surface there, and the hit is where it enters. Boxes that a trim declines are not cut up
  * without end. */
@@ -54,12 +56,12 @@ static Step newton_step(const ViewPoint *p)
                    (p->y.by_s * p->x.value - p->x.by_s * p->y.value) / det };
 }
 
-/* Levenberg's: in directions along which all of the box is within `error` of where it is, it does not move. So it is
+/* Levenberg's: in directions along which all of the box is within `least` of where it is, it does not move. So it is
  * sensible where the box's image is a needle or a point, and Newton's elsewhere. */
-static Step damped_step(const ViewPoint *p, double error)
+static Step damped_step(const ViewPoint *p, double least)
 {
-    double xx = p->x.by_s * p->x.by_s + p->x.by_t * p->x.by_t + error * error;
-    double yy = p->y.by_s * p->y.by_s + p->y.by_t * p->y.by_t + error * error;
+    double xx = p->x.by_s * p->x.by_s + p->x.by_t * p->x.by_t + least * least;
+    double yy = p->y.by_s * p->y.by_s + p->y.by_t * p->y.by_t + least * least;
     double xy = p->x.by_s * p->y.by_s + p->x.by_t * p->y.by_t, det = xx * yy - xy * xy;
     double x = (yy * p->x.value - xy * p->y.value) / det, y = (xx * p->y.value - xy * p->x.value) / det;
     return (Step){ -(p->x.by_s * x + p->y.by_s * y), -(p->x.by_t * x + p->y.by_t * y) };
@@ -89,12 +91,15 @@ static bool find_root(const Part *n, ViewPoint *root)
 
 static double clamp_to_box(double x) { return double_min(double_max(x, 0), 1); }
 
+/* Half of what ON_THE_RAY leaves for deciding. */
+#define DAMPING 0.125
+
 /* The point of the box nearest to the ray, about: downhill from the middle. */
 static ViewPoint nearest_point(const Search *k, const Part *n)
 {
     ViewPoint best = view_point(&n->view, 0.5, 0.5);
     for (int i = 0; i < MAX_STEPS; i++) {
-        Step by = damped_step(&best, k->rounding);
+        Step by = damped_step(&best, DAMPING * k->rounding);
         ViewPoint next = view_point(&n->view, clamp_to_box(best.s + by.s), clamp_to_box(best.t + by.t));
         if (!(residual2(&next) < residual2(&best))) break;
         best = next;
@@ -102,8 +107,11 @@ static ViewPoint nearest_point(const Search *k, const Part *n)
     return best;
 }
 
-/* On the ray, as far as rounding can tell: its own, and the plane equations'. */
-static bool is_on_ray(const Search *k, const ViewPoint *at) { return residual2(at) <= 4 * k->rounding * k->rounding; }
+/* On the ray, as far as the error of the plane equations over the weight can tell. */
+static bool is_on_ray(const ViewPoint *at, double error)
+{
+    return residual2(at) <= ON_THE_RAY * ON_THE_RAY * error * error;
+}
 
 /* ---- reporting ---- */
 
@@ -216,10 +224,17 @@ static bool runs_in_surface(const Search *k, Part *n, double length)
     return n->is_in_surface && length > 4 * k->rounding;
 }
 
-/* A box that cannot be told from the ray, or a needle through it: `at` is a point of it on the ray. */
-static bool settle_on_ray(Search *k, Part *n, double length, const ViewPoint *at)
+/* A box whose nearest point is `at`, and that is a small one or one with one root at most. */
+static bool settle_near_ray(Search *k, Part *n, double error, double w_max, const ViewPoint *at)
 {
-    if (k->patience < 0 || !runs_in_surface(k, n, length)) return report(k, n, at);
+    if (is_on_ray(at, error / w_max)) return report(k, n, at);
+    return k->patience >= 0 && !view_is_off(&n->view, at->x.value, at->y.value, error) && halve_image(k, n);
+}
+
+/* A box that cannot be told from the ray, or a needle through it. */
+static bool settle_on_ray(Search *k, Part *n, double error, double w_max, double length, const ViewPoint *at)
+{
+    if (k->patience < 0 || !runs_in_surface(k, n, length)) return settle_near_ray(k, n, error, w_max, at);
     Lengths depths = view_depths(&n->view);
     return halve(k, n, depths.by_s >= depths.by_t);
 }
@@ -229,22 +244,22 @@ static bool settle_in_scratch(Search *k, Part *n)
 {
     for (;;) {
         ViewExtent e = view_extent(&n->view);
-        double error = PATCH_SLACK * k->rounding * e.w_max, near = ON_THE_RAY * error;
+        double error = k->rounding * e.w_max + n->view.lost, near = ON_THE_RAY * error;
         if (e.x.lo > error || e.x.hi < -error || e.y.lo > error || e.y.hi < -error) return false;
         Range depth = view_depth(&n->view);
         double slack = k->rounding + n->view.drift * k->p->radius;
         if (k->middle + depth.lo - slack > k->ray->t_max || k->middle + depth.hi + slack < k->ray->t_min) return false;
         k->patience--;
         ViewPoint at;
-        if (e.x.hi <= near && e.x.lo >= -near && e.y.hi <= near && e.y.lo >= -near)
-            return at = nearest_point(k, n), settle_on_ray(k, n, depth.hi - depth.lo, &at);
-        if (k->patience < 0) return at = nearest_point(k, n), is_on_ray(k, &at) && report(k, n, &at);
+        if (n->view.size <= near)
+            return at = nearest_point(k, n), settle_on_ray(k, n, error, e.w_max, depth.hi - depth.lo, &at);
+        if (k->patience < 0) return at = nearest_point(k, n), is_on_ray(&at, error / e.w_max) && report(k, n, &at);
 
         double across;
         ViewPart c = view_narrow(&n->view, error, k->trace->scratch, &n->is_certified, &across);
         if (c.s.lo > c.s.hi || c.t.lo > c.t.hi) return false;
-        if (across <= near && (at = nearest_point(k, n), is_on_ray(k, &at)))
-            return settle_on_ray(k, n, depth.hi - depth.lo, &at);
+        if (across <= near && (at = nearest_point(k, n), is_on_ray(&at, error / e.w_max)))
+            return settle_on_ray(k, n, error, e.w_max, depth.hi - depth.lo, &at);
         if (n->is_certified && find_root(n, &at)) return report_root(k, n, &at);
         bool is_worth_it = c.s.hi - c.s.lo <= MIN_CLIP || c.t.hi - c.t.lo <= MIN_CLIP;
         view_restrict(&n->view, true, c.s);
@@ -253,8 +268,7 @@ static bool settle_in_scratch(Search *k, Part *n)
         if (!n->is_certified) return halve_image(k, n);
         /* At most one root, and clipping converges quadratically to it: what stops it is the rounding, unless that is much
          * enlarged by the inverse of a needle. */
-        at = nearest_point(k, n);
-        return is_on_ray(k, &at) ? report(k, n, &at) : halve_image(k, n);
+        return at = nearest_point(k, n), settle_near_ray(k, n, error, e.w_max, &at);
     }
 }
 
@@ -266,6 +280,21 @@ static bool settle(Search *k, Part *n)
     return ended;
 }
 
+/* The tile as the ray sees it. What is lost on the way there is relative to the weights of the tile, not to those of the
+ * patch, since each coordinate is at most the radius times its weight: it counts as rounding. */
+static View view_of_tile(Search *k)
+{
+    const Tile *f = k->tile;
+    const Patch *p = k->p;
+    View v = view_of(k->trace->scratch, p, k->ray);
+    view_extent(&v);
+    view_restrict(&v, true, (Range){ f->s0, f->s0 + f->ds });
+    view_restrict(&v, false, (Range){ f->t0, f->t0 + f->dt });
+    v.lost = 0;
+    k->rounding += v.drift * p->radius;
+    return v;
+}
+
 bool clip_roots(const Tile *tile, PatchRay *ray, RootVisit visit, void *context, Trace *trace)
 {
     const Patch *p = tile->patch;
@@ -273,9 +302,7 @@ bool clip_roots(const Tile *tile, PatchRay *ray, RootVisit visit, void *context,
     Search k = { .tile = tile, .p = p, .ray = ray, .visit = visit, .context = context, .trace = trace,
                  .rounding = patch_rounding(p, o), .middle = -vec_dot(ray->d, o), .patience = PATIENCE };
     ArenaMark mark = arena_mark(trace->scratch);
-    Part all = { .view = view_of(trace->scratch, p, ray) };
-    view_restrict(&all.view, true, (Range){ tile->s0, tile->s0 + tile->ds });
-    view_restrict(&all.view, false, (Range){ tile->t0, tile->t0 + tile->dt });
+    Part all = { .view = view_of_tile(&k) };
     bool ended = settle_in_scratch(&k, &all);
     arena_reset(trace->scratch, mark);
     return ended;

@@ -26,6 +26,13 @@ static Vec3 from_floats(const float x[3]) { return vec(x[0], x[1], x[2]); }
 
 static void to_floats(Vec3 x, float out[3]) { out[0] = (float)x.x, out[1] = (float)x.y, out[2] = (float)x.z; }
 
+/* How far a net may be from the patch, where it came to by halvings one after the other: at most 16 in the preparation
+ * (certain.c), and those on demand. Each coordinate errs by 3 (k - 1) u of the largest in one; ends add one more. */
+static double net_error(const Patch *p)
+{
+    return 0.5 * DBL_EPSILON * 3 * (p->k_u + p->k_v) * (16 + TILE_MAX_HALVINGS) * p->radius;
+}
+
 /* What the bounds are computed from: the net about the tile's middle, its orders, and the frame as it is stored. */
 typedef struct {
     int k_u, k_v;
@@ -117,13 +124,15 @@ static void bound_variation(const Source *p, Tile *out)
     out->variation = INFINITY;
     bool has_margin = is_positive(net, n);    /* extrapolated weights may not be: then the margin proves nothing */
     if (has_margin) radius = double_max(radius, net_radius(net, n));
-    out->radius = float_up(radius * ROUNDED_UP);
+    out->radius = float_up(radius * ROUNDED_UP + net_error(out->patch));
     double s = 2.0 * out->w_middle * out->length_s, t = 2.0 * out->w_middle * out->length_t;
     if (!has_margin || !(s > 0) || !(t > 0) || !isfinite(s) || !isfinite(t) || !isfinite(radius)) return;
     Vec3 by_s = vec_scale(p->half_s, 2.0 * out->w_middle), by_t = vec_scale(p->half_t, 2.0 * out->w_middle);
     derivative_spread(p, net, 1, (p->k_u - 1) / length, by_s, &spread_s, &w_s);
     derivative_spread(p, net, p->k_u, (p->k_v - 1) / length, by_t, &spread_t, &w_t);
-    double r_s = (spread_s + out->radius * w_s) / s, r_t = (spread_t + out->radius * w_t) / t;
+    double error = 2 * net_error(out->patch) * out->patch->w_max;    /* of a difference of neighbours */
+    double r_s = (spread_s + (p->k_u - 1) * error + out->radius * w_s) / s;
+    double r_t = (spread_t + (p->k_v - 1) * error + out->radius * w_t) / t;
     double variation = sqrt(r_s * r_s + r_t * r_t) * ROUNDED_UP;
     if (variation < FLT_MAX) out->variation = float_up(variation);
 }
@@ -211,7 +220,8 @@ void tile_make(const Patch *p, const Vec4 *net, TilePlace place, Tile *out)
     out->length_t = float_up(vec_length(source.half_t) * ROUNDED_UP);
     bound_variation(&source, out);
     double deviation = p->is_polynomial ? polynomial_deviation(&source) : rational_deviation(&source);
-    out->deviation = deviation < FLT_MAX ? float_up(deviation * ROUNDED_UP) : INFINITY;
+    deviation = deviation * ROUNDED_UP + net_error(p);
+    out->deviation = deviation < FLT_MAX ? float_up(deviation) : INFINITY;
 }
 
 TrimRect tile_rect(const Patch *p, TilePlace at)

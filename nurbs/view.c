@@ -71,13 +71,14 @@ void view_restrict(View *v, bool along_s, Range part)
     double *start = along_s ? &v->s0 : &v->t0, *width = along_s ? &v->w_s : &v->w_t;
     *start += part.lo * *width, *width *= part.hi - part.lo;
     /* each end that moves takes k - 1 convex combinations, of 3 roundings each */
-    v->drift += 0.5 * DBL_EPSILON * 3 * ((along_s ? v->k_u : v->k_v) - 1) * ((part.lo > 0) + (part.hi < 1));
+    double error = 0.5 * DBL_EPSILON * 3 * ((along_s ? v->k_u : v->k_v) - 1) * ((part.lo > 0) + (part.hi < 1));
+    v->lost += error * v->size, v->drift += error;
 }
 
 /* ---- bounds ---- */
 
 EVERY_X86
-ViewExtent view_extent(const View *v)
+ViewExtent view_extent(View *v)
 {
     ViewExtent e = { { v->p->x, v->p->x }, { v->p->y, v->p->y }, v->p->w };
     for (int i = 1; i < v->k_u * v->k_v; i++) {
@@ -86,7 +87,15 @@ ViewExtent view_extent(const View *v)
         e.y.lo = double_min(p->y, e.y.lo), e.y.hi = double_max(p->y, e.y.hi);
         e.w_max = double_max(p->w, e.w_max);
     }
+    v->size = double_max(double_max(e.x.hi, -e.x.lo), double_max(e.y.hi, -e.y.lo));
     return e;
+}
+
+bool view_is_off(const View *v, double x, double y, double error)
+{
+    double least = INFINITY, length = hypot(x, y);
+    for (int i = 0; i < v->k_u * v->k_v; i++) least = double_min(least, x * v->p[i].x + y * v->p[i].y);
+    return least > error * length;
 }
 
 /* A quotient of convex combinations lies between the extreme quotients of the coefficients. */

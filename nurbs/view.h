@@ -4,12 +4,9 @@
  * All that is asked of a box is computed from its own coefficients, in its own coordinates s, t in [0, 1]: where much of
  * space lies within little of the patch's parameters (weights of a large ratio), their last bits would be too coarse.
  *
- * Rounding. The first coefficients are as exact as `rounding` says (certify.h), times the weights; of the roundings that it
- * counts, those of an evaluation, 2 (k_u + k_v) + 4, are not used up yet. Restricting is a convex combination. Its error is
- * relative to the coefficients: a halving, (k - 1) u of the largest. Those of the plane equations shrink with the box, for
- * it is the longer side of their image that is halved: all halvings together err by 2 (k_u + k_v) u of the first at most. A
- * clip errs by three times as much, but takes a fifth or more, and mostly nearly all. PATCH_SLACK covers the rest. The depth
- * does not shrink: `drift` adds up its errors. */
+ * Rounding. The first coefficients are as exact as `rounding` says (certify.h), times the weights. What restricting adds is
+ * relative to the coefficients that it combines: `lost` adds it up for the plane equations, whose coefficients shrink with
+ * the box, so that it stays below `rounding`; `drift` for the depth, which does not shrink. */
 #ifndef TRIMRAY_VIEW_H
 #define TRIMRAY_VIEW_H
 
@@ -20,7 +17,8 @@ typedef struct {
     Vec4 *p;                 /* k_u * k_v coefficients, s fastest */
     double s0, t0;           /* where the box begins in the patch */
     double w_s, w_t;         /* how wide it is there: apart from s0 and t0, whose last bits may be wider */
-    double drift;            /* of the depth, by all restrictions so far: relative to the patch's radius */
+    double size;             /* largest |x| or |y| of the coefficients: set by view_extent */
+    double lost, drift;      /* by all restrictions so far: error of x and y; of z, relative to the patch's radius */
 } View;
 
 typedef struct { double lo, hi; } Range;
@@ -29,12 +27,15 @@ typedef struct { double lo, hi; } Range;
 View view_of(Arena *scratch, const Patch *p, const PatchRay *r);
 View view_copy(Arena *scratch, const View *v);
 
-/* To the part [lo, hi] of the box, along s or along t. Ends that stay keep their bits. */
+/* To the part [lo, hi] of the box, along s or along t; v->size must be set. Ends that stay keep their bits. */
 void view_restrict(View *v, bool along_s, Range part);
 
 /* Extremes of the plane equations' coefficients, and the largest weight. */
 typedef struct { Range x, y; double w_max; } ViewExtent;
-ViewExtent view_extent(const View *v);
+ViewExtent view_extent(View *v);
+
+/* Is the box certainly beside the ray, on the side to which (x, y) points? */
+bool view_is_off(const View *v, double x, double y, double error);
 
 /* Bounds of the depth. */
 Range view_depth(const View *v);

@@ -41,7 +41,9 @@ typedef struct {
     Rgb reflectivity;
 } LayerAt;
 
-static Pixel trace_ray(Tracer *x, const Ray *r, Path path);
+enum { FEW_LAYERS = 2 };         /* so many are seen without asking for memory */
+
+static Pixel trace_ray(Tracer *x, const Ray *r, const Path *path);
 
 static Rgb pixel_rgb(Pixel p) { return rgb(p.r, p.g, p.b); }
 static bool is_nothing(Rgb c) { return c.r == 0 && c.g == 0 && c.b == 0; }
@@ -72,8 +74,10 @@ static bool is_double_illuminated(const Hit *h)
 }
 
 /* Light of one colour from one direction, on all layers. */
-static Rgb lit_from(const Surface *at, const LayerAt *layers, int n, const Light *l, Vec3 to_light, Rgb color)
+static Rgb lit_from(const Surface *at, const LayerAt *layers, int n, const Light *l, const LightAt *lit)
 {
+    Vec3 to_light = lit->direction;
+    Rgb color = lit->color;
     double cosine = vec_dot(at->normal, to_light);
     bool is_facing = cosine >= GRAZING_LIGHT, is_back = !is_facing && !is_double_illuminated(at->hit);
     bool has_highlights = is_facing && !l->is_shadowless;
@@ -97,8 +101,8 @@ static Rgb lit_by_area(const Surface *at, const LayerAt *layers, int n, const Li
     for (int j = 0; j < l->area_n_v; j++)
         for (int i = 0; i < l->area_n_u; i++) {
             LightAt lit = light_at(l, shadow_area_sample(l, at->point, i, j), at->point);
-            Rgb color = rgb_scale(rgb_mul(lit.color, shadow), share);
-            sum = rgb_add(sum, lit_from(at, layers, n, l, lit.direction, color));
+            lit.color = rgb_scale(rgb_mul(lit.color, shadow), share);
+            sum = rgb_add(sum, lit_from(at, layers, n, l, &lit));
         }
     return sum;
 }
@@ -119,7 +123,7 @@ static Rgb lit_by_light(const Shadow *shadow, const LayerAt *layers, int n, cons
     if (quality >= Q_SHADOWS) lit.color = shadow_light(shadow, l, &lit);
     if (is_nothing(lit.color)) return lit.color;
     if (is_spread) return lit_by_area(at, layers, n, l, quotient(lit.color, full));
-    return lit_from(at, layers, n, l, lit.direction, lit.color);
+    return lit_from(at, layers, n, l, &lit);
 }
 
 static Rgb lit_by_all(Tracer *x, const Surface *at, const LayerAt *layers, int n, const Medium *media)
@@ -193,24 +197,24 @@ static Vec3 mirrored(const Surface *at)
     return vec_normalize(vec_add(at->ray->dir, vec_scale(at->normal, 2 * at->cos_view)));
 }
 
-static Pixel trace_from(Tracer *x, const Surface *at, Vec3 dir, Path path)
+static Pixel trace_from(Tracer *x, const Surface *at, Vec3 dir, const Path *path)
 {
     Ray r = { surface_leave(at, dir), dir, 0 };
     return trace_ray(x, &r, path);
 }
 
-static Pixel trace_mirrored(Tracer *x, const Surface *at, Path from, double weight)
+static Pixel trace_mirrored(Tracer *x, const Surface *at, const Path *from, double weight)
 {
-    Path path = { from.level + 1, false, from.weight * weight, RAY_REFLECTED, true, from.media };
+    Path path = { from->level + 1, false, from->weight * weight, RAY_REFLECTED, true, from->media };
     MediaScope scope = media_open(&x->around);
-    Pixel seen = trace_from(x, at, mirrored(at), path);
+    Pixel seen = trace_from(x, at, mirrored(at), &path);
     media_close(&x->around, scope);
     seen.transmit = 0;
     return seen;
 }
 
 /* The ray beyond the surface; or, *is_total, totally reflected. */
-static Pixel trace_bent(Tracer *x, const Surface *at, Path from, const Crossing *cross, double weight, bool *is_total)
+static Pixel trace_bent(Tracer *x, const Surface *at, const Path *from, const Crossing *cross, double weight, bool *is_total)
 {
     double k = cross->bend, c = at->cos_view, s = 1 + k * k * (c * c - 1);
     bool is_straight = fabs(k - 1) < NO_BEND;
@@ -218,16 +222,16 @@ static Pixel trace_bent(Tracer *x, const Surface *at, Path from, const Crossing 
     if (*is_total) return trace_mirrored(x, at, from, weight);
     Vec3 dir = at->ray->dir;
     if (!is_straight) dir = vec_normalize(vec_add(vec_scale(dir, k), vec_scale(at->normal, k * c - sqrt(s))));
-    Path path = { from.level + !is_straight, is_straight, from.weight * weight, RAY_TRANSMITTED, from.was_reflected,
+    Path path = { from->level + !is_straight, is_straight, from->weight * weight, RAY_TRANSMITTED, from->was_reflected,
                   cross->after };
-    return trace_from(x, at, dir, path);
+    return trace_from(x, at, dir, &path);
 }
 
 /* What comes through, faded by the way up to here if that led through the interior. */
-static Pixel trace_through(Tracer *x, const Surface *at, Path from, Rgb through, bool *is_total)
+static Pixel trace_through(Tracer *x, const Surface *at, const Path *from, Rgb through, bool *is_total)
 {
     MediaScope scope = media_open(&x->around);
-    Crossing cross = media_cross(&x->around, from.media, at->hit);
+    Crossing cross = media_cross(&x->around, from->media, at->hit);
     Pixel seen = trace_bent(x, at, from, &cross, fmax(rgb_max(through), 0), is_total);
     media_close(&x->around, scope);
     if (!cross.was_inside) return seen;
@@ -250,7 +254,7 @@ static double mirror_weight(const LayerAt *l)
 }
 
 /* What all layers mirror, by one ray. */
-static Rgb reflections(Tracer *x, const Surface *at, const LayerAt *layers, int n, Path path)
+static Rgb reflections(Tracer *x, const Surface *at, const LayerAt *layers, int n, const Path *path)
 {
     double weight = 0;
     for (int i = 0; i < n; i++) weight = fmax(weight, mirror_weight(&layers[i]));
@@ -271,17 +275,18 @@ static Pixel flat_color(const Surface *at)
     return (Pixel){ c.r, c.g, c.b, 0 };
 }
 
-static Pixel shade_map(Tracer *x, const Surface *at, Path path);
+static Pixel shade_map(Tracer *x, const Surface *at, const Path *path);
 
-static Pixel shade_texture(Tracer *x, const Surface *at, Path path)
+static Pixel shade_texture(Tracer *x, const Surface *at, const Path *path)
 {
     if (at->texture->map) return shade_map(x, at, path);
     if (at->texture->n_layers == 0) return (Pixel){ 0 };
     if (x->quality < Q_LIGHT) return flat_color(at);
     Rgb through;
-    LayerAt *layers = ARENA_ARRAY(x->trace->scratch, LayerAt, at->texture->n_layers);
-    int n = walk_layers(x, at, path.media, layers, &through);
-    Rgb sum = rgb_add(own_light(x->scene, layers, n), lit_by_all(x, at, layers, n, path.media));
+    LayerAt few[FEW_LAYERS], *layers = few;
+    if (at->texture->n_layers > FEW_LAYERS) layers = ARENA_ARRAY(x->trace->scratch, LayerAt, at->texture->n_layers);
+    int n = walk_layers(x, at, path->media, layers, &through);
+    Rgb sum = rgb_add(own_light(x->scene, layers, n), lit_by_all(x, at, layers, n, path->media));
     if (!x->scene->needs_secondary_rays) return (Pixel){ sum.r, sum.g, sum.b, 0 };
     Pixel behind = { 0 };
     double transmit = transmit_of(through);
@@ -295,7 +300,7 @@ static Pixel shade_texture(Tracer *x, const Surface *at, Path path)
 }
 
 /* Between two entries of its map a texture is both of them, each lit, mirroring and letting through for itself. */
-static Pixel shade_map(Tracer *x, const Surface *at, Path path)
+static Pixel shade_map(Tracer *x, const Surface *at, const Path *path)
 {
     TextureChoice choices[2];
     Pixel sum = { 0 };
@@ -310,7 +315,7 @@ static Pixel shade_map(Tracer *x, const Surface *at, Path path)
     return sum;
 }
 
-static Pixel shade_hit(Tracer *x, const Ray *r, const Hit *h, Path path)
+static Pixel shade_hit(Tracer *x, const Ray *r, const Hit *h, const Path *path)
 {
     Surface at;
     surface_at(x->scene, r, h, &at);
@@ -335,16 +340,16 @@ static void count_ray(Counters *c, RayKind kind)
 }
 
 /* POV-Ray does not count a ray that goes straight on as a level, but does not let it begin at the last one either. */
-static Pixel trace_ray(Tracer *x, const Ray *ray, Path path)
+static Pixel trace_ray(Tracer *x, const Ray *ray, const Path *path)
 {
     const Scene *s = x->scene;
-    if (path.level + path.is_straight >= s->max_trace_level || path.weight < s->adc_bailout) return (Pixel){ 0 };
-    count_ray(&x->trace->counters, path.kind);
+    if (path->level + path->is_straight >= s->max_trace_level || path->weight < s->adc_bailout) return (Pixel){ 0 };
+    count_ray(&x->trace->counters, path->kind);
     Ray r = *ray;
     Hit h;
-    bool is_hit = nearest_hit(x, &r, &path, &h);
+    bool is_hit = nearest_hit(x, &r, path, &h);
     Pixel seen = is_hit ? shade_hit(x, &r, &h, path) : sky_color(s, r.dir);
-    bool has_fog = s->n_fogs > 0 && x->quality >= Q_FOG && media_let_fog_in(media_known(&x->around, path.media));
+    bool has_fog = s->n_fogs > 0 && x->quality >= Q_FOG && media_let_fog_in(media_known(&x->around, path->media));
     return has_fog ? sky_through_fog(s, &r, h.t, seen) : seen;
 }
 
@@ -352,7 +357,8 @@ Pixel shade_camera_ray(const Scene *s, const Ray *r, int quality, Trace *t)
 {
     ArenaMark mark = arena_mark(t->scratch);
     Tracer x = { s, t, quality, { .scene = s, .scratch = t->scratch, .camera = r->origin } };
-    Pixel seen = trace_ray(&x, r, (Path){ 0, false, 1, RAY_CAMERA, false, MEDIA_OF_CAMERA });
+    Path path = { 0, false, 1, RAY_CAMERA, false, MEDIA_OF_CAMERA };
+    Pixel seen = trace_ray(&x, r, &path);
     arena_reset(t->scratch, mark);
     return seen;
 }

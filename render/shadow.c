@@ -76,10 +76,10 @@ static Rgb light_along(const Shadow *q, Ray *r, double t_max, Rgb light)
 }
 
 /* The light from `to`, at the end of a ray along the unit vector `dir`. */
-static Rgb light_from(const Shadow *q, Vec3 dir, Vec3 to, Rgb light)
+static Rgb light_from(const Shadow *q, const Vec3 *dir, const Vec3 *to, Rgb light)
 {
-    Ray r = { surface_leave(q->at, dir), dir, 0 };
-    double t_max = surface_stop_before(r.origin, to, vec_dot(vec_sub(to, r.origin), dir));
+    Ray r = { surface_leave(q->at, *dir), *dir, 0 };
+    double t_max = surface_stop_before(r.origin, *to, vec_dot(vec_sub(*to, r.origin), r.dir));
     if (!(t_max > 0)) return light;   /* a parallel light's plane is behind the point: nothing can stand between */
     q->trace->is_shadow_ray = true;
     q->trace->counters.shadow_rays++;
@@ -133,7 +133,7 @@ static Rgb sample_light(const Area *a, int i, int j)
     if (!s->is_known) {
         Vec3 to = shadow_area_sample(a->light, a->q->at->point, i, j);
         Vec3 dir = vec_normalize(vec_sub(to, a->q->at->point));
-        *s = (Sample){ light_from(a->q, dir, to, a->color), true };
+        *s = (Sample){ light_from(a->q, &dir, &to, a->color), true };
     }
     return s->light;
 }
@@ -175,6 +175,7 @@ Rgb shadow_light(const Shadow *q, const Light *l, const LightAt *lit)
 {
     if (l->is_shadowless || is_black(lit->color)) return lit->color;
     if (l->is_area && q->has_areas) return area_light(q, l, lit->color);
+    if (!light_is_parallel(l)) return light_from(q, &lit->direction, &l->position, lit->color);
     Vec3 to = vec_add(q->at->point, vec_scale(lit->direction, lit->distance));
-    return light_from(q, lit->direction, light_is_parallel(l) ? to : l->position, lit->color);
+    return light_from(q, &lit->direction, &to, lit->color);
 }

@@ -17,7 +17,7 @@ void table_free(Table *t) { free(t->cells); }
 
 /* ---- the log ---- */
 
-enum { LINE = 512 };
+enum { LINE = 1024 };
 
 static int head_line(char *out, LogHead h)
 {
@@ -25,47 +25,71 @@ static int head_line(char *out, LogHead h)
                     h.all_hits_every);
 }
 
+/* Cuts off a line that was not finished. */
+static bool end_line(int fd)
+{
+    off_t end = lseek(fd, 0, SEEK_END);
+    char c = '\n';
+    while (end > 0 && pread(fd, &c, 1, end - 1) == 1 && c != '\n') end--;
+    return ftruncate(fd, end) == 0;
+}
+
 bool log_begin(int fd, LogHead head)
 {
     char line[LINE], is[LINE];
     ssize_t n = head_line(line, head);
+    if (!end_line(fd)) return false;
     if (lseek(fd, 0, SEEK_END) == 0) return write(fd, line, (size_t)n) == n;
     return pread(fd, is, (size_t)n, 0) == n && !memcmp(is, line, (size_t)n);
 }
 
-static int row_line(char *out, int room, Part p, int method, const Row *r)
+static int write_row(char *out, int room, const Row *r)
 {
-    return snprintf(out, (size_t)room,
-                    "%s\t%d\t%llu\t%d\t%llu\t%llu\t%llu\t%llu\t%llu\t%llu\t%llu\t%llu\t%llu\t%llu\t%.17g\t%.17g\t%.17g\n",
-                    p.family->name, p.knob, (unsigned long long)p.seed, method, (unsigned long long)r->rays,
-                    (unsigned long long)r->hits, (unsigned long long)r->in_band, (unsigned long long)r->missed,
-                    (unsigned long long)r->false_hits, (unsigned long long)r->inexact, (unsigned long long)r->asked,
-                    (unsigned long long)r->not_once, (unsigned long long)r->tests, (unsigned long long)r->fallbacks,
-                    r->worst, r->seconds, r->slowest);
+    const uint64_t c[10] = { r->rays, r->hits, r->in_band, r->missed, r->false_hits, r->inexact, r->asked, r->not_once,
+                             r->tests, r->fallbacks };
+    int n = 0;
+    for (int i = 0; i < 10; i++) n += snprintf(out + n, (size_t)(room - n), "\t%llu", (unsigned long long)c[i]);
+    return n + snprintf(out + n, (size_t)(room - n), "\t%.17g\t%.17g\t%.17g", r->worst, r->seconds, r->slowest);
+}
+
+/* Moves *at to behind the row. */
+static bool read_row(const char **at, Row *r)
+{
+    uint64_t *const c[10] = { &r->rays, &r->hits, &r->in_band, &r->missed, &r->false_hits, &r->inexact, &r->asked,
+                              &r->not_once, &r->tests, &r->fallbacks };
+    double *const x[3] = { &r->worst, &r->seconds, &r->slowest };
+    for (int i = 0; i < 13; i++) {
+        char *end;
+        if (i < 10) *c[i] = strtoull(*at, &end, 10);
+        else *x[i - 10] = strtod(*at, &end);
+        if (end == *at) return false;
+        *at = end;
+    }
+    return true;
 }
 
 bool log_add(int fd, Part part, const Row rows[N_METHODS])
 {
-    char text[N_METHODS * LINE];
-    int n = 0;
-    for (int i = 0; i < N_METHODS; i++) n += row_line(text + n, N_METHODS * LINE - n, part, i, &rows[i]);
+    char text[LINE];
+    int n = snprintf(text, LINE, "%s\t%d\t%llu", part.family->name, part.knob, (unsigned long long)part.seed);
+    for (int i = 0; i < N_METHODS; i++) n += write_row(text + n, LINE - n - 1, &rows[i]);
+    text[n++] = '\n';
     return write(fd, text, (size_t)n) == n;
 }
 
-static bool read_row(const char *line, Part *p, int *family, int *method, Row *r)
+static bool read_part(const char *line, Part *p, int *family, Row rows[N_METHODS])
 {
     char name[64];
-    unsigned long long c[11];
-    int n = sscanf(line, "%63[^\t]\t%d\t%llu\t%d\t%llu\t%llu\t%llu\t%llu\t%llu\t%llu\t%llu\t%llu\t%llu\t%llu"
-                   "\t%lg\t%lg\t%lg", name, &p->knob, &c[0], method, &c[1], &c[2], &c[3], &c[4], &c[5], &c[6], &c[7],
-                   &c[8], &c[9], &c[10], &r->worst, &r->seconds, &r->slowest);
-    if (n != 17 || !strchr(line, '\n')) return false;
+    unsigned long long seed;
+    int n = 0;
+    if (sscanf(line, "%63[^\t]\t%d\t%llu%n", name, &p->knob, &seed, &n) != 3) return false;
     for (*family = 0; *family < family_count() && strcmp(family_at(*family)->name, name) != 0; ++*family) {}
     if (*family == family_count() || p->knob < 0 || p->knob >= family_at(*family)->n) return false;
-    p->family = family_at(*family), p->seed = c[0];
-    r->rays = c[1], r->hits = c[2], r->in_band = c[3], r->missed = c[4], r->false_hits = c[5], r->inexact = c[6];
-    r->asked = c[7], r->not_once = c[8], r->tests = c[9], r->fallbacks = c[10];
-    return *method >= 0 && *method < N_METHODS;
+    p->family = family_at(*family), p->seed = seed;
+    const char *at = line + n;
+    for (int i = 0; i < N_METHODS; i++)
+        if (!read_row(&at, &rows[i])) return false;
+    return *at == '\n';
 }
 
 void log_read(int fd, Table *t, void (*seen)(void *context, Part part), void *context)
@@ -76,11 +100,11 @@ void log_read(int fd, Table *t, void (*seen)(void *context, Part part), void *co
     char line[LINE];
     while (fgets(line, sizeof line, f)) {
         Part part;
-        int family, method;
-        Row row;
-        if (!read_row(line, &part, &family, &method, &row)) continue;
-        row_add(&t->cells[family * FAMILY_VALUES + part.knob].rows[method], &row);
-        if (method == N_METHODS - 1 && seen) seen(context, part);
+        int family;
+        Row rows[N_METHODS];
+        if (!read_part(line, &part, &family, rows)) continue;
+        for (int i = 0; i < N_METHODS; i++) row_add(&t->cells[family * FAMILY_VALUES + part.knob].rows[i], &rows[i]);
+        if (seen) seen(context, part);
     }
     fclose(f);
 }

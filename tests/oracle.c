@@ -262,6 +262,7 @@ int oracle_roots(const Oracle *o, const Ray *r, double band, OracleRoot *out, in
     oracle_begin_search(&k, o, r, band);
     double *room = calloc((size_t)(NETS * o->n), sizeof *room);
     for (int i = 0; i < o->spans[0] * o->spans[1]; i++) {
+        if (oracle_is_far(o, i, r, band)) continue;
         Box b = whole_span(&k, i);
         Rounded whole = round_box(o, &b, room);
         k.enough = sqrt(band * size_of(&k, &whole)) * ENOUGH;

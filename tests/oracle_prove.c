@@ -21,8 +21,8 @@ static void to_local(const Oracle *o, int axis, int span, const arb_t x, arb_t s
     arb_clear(lo), arb_clear(length);
 }
 
-/* Values and derivatives by u and v of the four nets at (u, v): out[3 net + (0, 1, 2)]. */
-static void evaluate(Search *k, arb_srcptr x, arb_ptr out)
+/* Values and derivatives by u and v of the first `nets` nets at (u, v): out[3 net + (0, 1, 2)]. */
+static void evaluate(Search *k, arb_srcptr x, int nets, arb_ptr out)
 {
     const Oracle *o = k->o;
     arb_ptr local = _arb_vec_init(2);
@@ -34,12 +34,12 @@ static void evaluate(Search *k, arb_srcptr x, arb_ptr out)
         to_local(o, axis, span[axis], x + axis, local + axis);
     }
     arb_srcptr net = oracle_net_of(k, span[1] * o->spans[0] + span[0]);
-    for (int m = 0; m < NETS; m++)
+    for (int m = 0; m < nets; m++)
         oracle_net_at(net + m * o->n, o->k[0], o->k[1], local, local + 1, out + 3 * m, out + 3 * m + 1, out + 3 * m + 2);
     for (int axis = 0; axis < 2; axis++) {
         arb_set_d(lo, o->breaks[axis][span[axis]]), arb_set_d(length, o->breaks[axis][span[axis] + 1]);
         arb_sub(length, length, lo, ORACLE_BITS);
-        for (int m = 0; m < NETS; m++) arb_div(out + 3 * m + 1 + axis, out + 3 * m + 1 + axis, length, ORACLE_BITS);
+        for (int m = 0; m < nets; m++) arb_div(out + 3 * m + 1 + axis, out + 3 * m + 1 + axis, length, ORACLE_BITS);
     }
     _arb_vec_clear(local, 2);
     arb_clear(length), arb_clear(lo);
@@ -48,10 +48,10 @@ static void evaluate(Search *k, arb_srcptr x, arb_ptr out)
 /* One step of Newton's method from x; *step gets its length relative to the axes' scale. False: singular. */
 static bool newton_step(Search *k, arb_ptr x, const double scale[2], double *step)
 {
-    arb_ptr f = _arb_vec_init(3 * NETS);
+    arb_ptr f = _arb_vec_init(6);
     arb_t det, d[2];
     arb_init(det), arb_init(d[0]), arb_init(d[1]);
-    evaluate(k, x, f);
+    evaluate(k, x, 2, f);
     arb_mul(det, f + 1, f + 5, ORACLE_BITS), arb_submul(det, f + 2, f + 4, ORACLE_BITS);
     arb_mul(d[0], f + 2, f + 3, ORACLE_BITS), arb_submul(d[0], f + 5, f, ORACLE_BITS);
     arb_mul(d[1], f + 4, f, ORACLE_BITS), arb_submul(d[1], f + 1, f + 3, ORACLE_BITS);
@@ -64,7 +64,7 @@ static bool newton_step(Search *k, arb_ptr x, const double scale[2], double *ste
         *step = fmax(*step, fabs(oracle_double(d[axis])) / scale[axis]);
     }
     arb_clear(det), arb_clear(d[0]), arb_clear(d[1]);
-    _arb_vec_clear(f, 3 * NETS);
+    _arb_vec_clear(f, 6);
     return ok;
 }
 
@@ -173,11 +173,11 @@ typedef struct { Matrix a; double q[2], off[2], moved[2]; } Proof;
 
 static bool prove(Search *k, arb_srcptr x, const Area *area, const double h[2], Proof *out)
 {
-    arb_ptr f = _arb_vec_init(3 * NETS);
-    evaluate(k, x, f);
+    arb_ptr f = _arb_vec_init(6);
+    evaluate(k, x, 2, f);
     double a = oracle_double(f + 1), b = oracle_double(f + 2), c = oracle_double(f + 4), d = oracle_double(f + 5);
     double det = a * d - b * c, f1 = largest(f), f2 = largest(f + 3);
-    _arb_vec_clear(f, 3 * NETS);
+    _arb_vec_clear(f, 6);
     if (!(fabs(det) > 0) || !isfinite(1 / det)) return false;
     *out = (Proof){ .a = { { { d / det, -b / det }, { -c / det, a / det } } } };
     Hull hull = hull_over(k, area);
@@ -222,7 +222,7 @@ static OracleRoot describe(Search *k, arb_srcptr x, const Proof *p)
     arb_ptr f = _arb_vec_init(3 * NETS);
     arb_t t, tail;
     arb_init(t), arb_init(tail);
-    evaluate(k, x, f);
+    evaluate(k, x, NETS, f);
     arb_div(t, f + 3 * T, f + 3 * W, ORACLE_BITS);
     r.t = oracle_double(t);
     arb_set_d(tail, r.t), arb_sub(tail, t, tail, ORACLE_BITS);

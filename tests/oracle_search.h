@@ -8,10 +8,13 @@
 
 enum { A, B, T, W, NETS };       /* nets of a ray: the two planes, the numerator of t, the weight */
 
+typedef struct { Vec3 centre; double radius; } Ball;
+
 struct Oracle {
     int k[2], spans[2], n;       /* n: coefficients of a patch */
     double *breaks[2];           /* spans + 1 each */
     arb_ptr *patch;              /* for each span (u fastest): n of wx, then of wy, wz, w */
+    Ball *ball;                  /* of each span: contains it */
 };
 
 typedef struct { double lo[2], hi[2]; } Area;           /* of the parameter plane */
@@ -35,6 +38,9 @@ typedef struct {
 void oracle_begin_search(Search *k, const Oracle *o, const Ray *r, double band);
 void oracle_end_search(Search *k);
 arb_srcptr oracle_net_of(Search *k, int span);   /* NETS * n coefficients */
+
+/* Is the span's ball farther from the ray than the band? */
+bool oracle_is_far(const Oracle *o, int span, const Ray *r, double band);
 
 /* ---- nets in double ---- */
 

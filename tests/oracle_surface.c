@@ -44,6 +44,30 @@ static void gather(const SurfaceDesc *d, int mu_u, int mu_v, int m, arb_ptr out)
     arb_clear(w);
 }
 
+/* The control points' ball, with far more room than its numbers' rounding takes. */
+static Ball ball_of(const Oracle *o, arb_srcptr p)
+{
+    Ball b = { { 0, 0, 0 }, 0 };
+    Vec3 *at = calloc((size_t)o->n, sizeof *at);
+    if (!at) abort();
+    for (int i = 0; i < o->n; i++) {
+        double w = oracle_double(p + 3 * o->n + i);
+        at[i] = vec(oracle_double(p + i) / w, oracle_double(p + o->n + i) / w, oracle_double(p + 2 * o->n + i) / w);
+        b.centre = vec_add(b.centre, vec_scale(at[i], 1. / o->n));
+    }
+    for (int i = 0; i < o->n; i++) b.radius = fmax(b.radius, vec_length(vec_sub(at[i], b.centre)));
+    b.radius += 1e-9 * (b.radius + vec_length(b.centre));
+    free(at);
+    return b;
+}
+
+bool oracle_is_far(const Oracle *o, int span, const Ray *r, double band)
+{
+    Ball b = o->ball[span];
+    Vec3 way = vec_sub(b.centre, r->origin), across = vec_cross(way, vec_normalize(r->dir));
+    return vec_length(across) > b.radius + band + 1e-9 * vec_length(way);
+}
+
 Oracle *oracle_new(const SurfaceDesc *d)
 {
     Oracle *o = calloc(1, sizeof *o);
@@ -64,6 +88,7 @@ Oracle *oracle_new(const SurfaceDesc *d)
         }
     }
     o->patch = calloc((size_t)o->spans[0] * (size_t)o->spans[1], sizeof *o->patch);
+    o->ball = calloc((size_t)o->spans[0] * (size_t)o->spans[1], sizeof *o->ball);
     arb_ptr points = _arb_vec_init(o->n);
     for (int j = 0; j < o->spans[1]; j++)
         for (int i = 0; i < o->spans[0]; i++) {
@@ -72,6 +97,7 @@ Oracle *oracle_new(const SurfaceDesc *d)
                 gather(d, spans[0].mu[i], spans[1].mu[j], m, points);
                 extract(o, matrix[0] + i * o->k[0] * o->k[0], matrix[1] + j * o->k[1] * o->k[1], points, p + m * o->n);
             }
+            o->ball[j * o->spans[0] + i] = ball_of(o, p);
         }
     _arb_vec_clear(points, o->n);
     for (int a = 0; a < 2; a++) _arb_vec_clear(matrix[a], spans[a].n * o->k[a] * o->k[a]);
@@ -82,7 +108,7 @@ Oracle *oracle_new(const SurfaceDesc *d)
 void oracle_free(Oracle *o)
 {
     for (int i = 0; i < o->spans[0] * o->spans[1]; i++) _arb_vec_clear(o->patch[i], 4 * o->n);
-    free(o->patch), free(o->breaks[0]), free(o->breaks[1]), free(o);
+    free(o->patch), free(o->ball), free(o->breaks[0]), free(o->breaks[1]), free(o);
 }
 
 /* ---- a ray ---- */

@@ -356,7 +356,7 @@ static int compare_hits(const void *a, const void *b)
 /* The sign of the normal times the ray's direction where the ray comes to the hit, or where it leaves it. */
 static bool is_facing(const TileTree *tree, const Ray *r, const CertainHit *h, int side)
 {
-    return (side ? side : vec_dot(certain_normal(tree, h->tile, h->u, h->v), r->dir)) > 0;
+    return (side ? side : vec_dot(certain_normal(tree, h->tile, h->u, h->v, r), r->dir)) > 0;
 }
 
 /* Hits whose error bounds overlap cannot be told apart: one root that two neighbours found on their common border, or all
@@ -401,8 +401,8 @@ void certain_all(const Surface *s, const TileTree *tree, const Ray *r, double t_
     out->n = n;
 }
 
-Vec3 certain_normal(const TileTree *tree, uint32_t i, double u, double v)
+Vec3 certain_normal(const TileTree *tree, uint32_t i, double u, double v, const Ray *r)
 {
     const Patch *p = tree->tiles[i].patch;
-    return patch_normal(p, (u - p->u0) / (p->u1 - p->u0), (v - p->v0) / (p->v1 - p->v0));
+    return patch_normal(p, (u - p->u0) / (p->u1 - p->u0), (v - p->v0) / (p->v1 - p->v0), vec_neg(r->dir));
 }

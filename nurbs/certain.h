@@ -45,7 +45,8 @@ bool certain_any(const Surface *s, const TileTree *tree, const Ray *r, double t_
 typedef struct { CertainHit *hits; size_t n, capacity; } CertainList;
 void certain_all(const Surface *s, const TileTree *tree, const Ray *r, double t_max, Trace *t, CertainList *out);
 
-/* The unit normal S_u x S_v at (u, v) of tile i; where it vanishes (a pole, a collapsed side), its limit from within. */
-Vec3 certain_normal(const TileTree *tree, uint32_t i, double u, double v);
+/* The unit normal S_u x S_v at (u, v) of tile i; where it vanishes (a pole, a collapsed side), its limit from within. Where
+ * the patch is but a curve, the one that faces the ray. */
+Vec3 certain_normal(const TileTree *tree, uint32_t i, double u, double v, const Ray *r);
 
 #endif

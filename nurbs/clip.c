@@ -149,7 +149,7 @@ static bool report_root(Search *k, const Part *n, const ViewPoint *at)
 /* The cosine of the ray's angle to the normal at the point (s, t) of a box. */
 static double cosine_at(const Search *k, const View *v, double s, double t)
 {
-    return vec_dot(patch_normal(k->p, v->s0 + s * v->w_s, v->t0 + t * v->w_t), k->ray->d);
+    return vec_dot(patch_normal(k->p, v->s0 + s * v->w_s, v->t0 + t * v->w_t, vec_neg(k->ray->d)), k->ray->d);
 }
 
 /* How far the depth moves if the surface moves by the rounding, where the box is too small to have derivatives: by the

@@ -69,8 +69,7 @@ static void certain_shape_all_hits(const Shape *s, const Ray *r, HitList *out, T
 static void certain_shape_attributes(const Shape *s, const Ray *r, const Hit *h, Attributes *out)
 {
     const NurbsShape *n = (const NurbsShape *)s;
-    (void)r;
-    attributes_at(n, h, certain_normal(&n->tiles, h->leaf, h->u, h->v), out);
+    attributes_at(n, h, certain_normal(&n->tiles, h->leaf, h->u, h->v, r), out);
 }
 
 static const ShapeType certain_type = {
@@ -107,8 +106,7 @@ static bool paper_blocks(const Shape *s, const Ray *r, double t_max, Trace *t)
 static void paper_attributes(const Shape *s, const Ray *r, const Hit *h, Attributes *out)
 {
     const NurbsShape *n = (const NurbsShape *)s;
-    (void)r;
-    attributes_at(n, h, intersect_normal(n->surface, &n->leaves.leaves[h->leaf], h->u, h->v), out);
+    attributes_at(n, h, intersect_normal(n->surface, &n->leaves.leaves[h->leaf], h->u, h->v, r), out);
 }
 
 static const ShapeType paper_type = {

@@ -1,6 +1,7 @@
 /* See patch.h. */
 #include "nurbs/patch.h"
 
+#include "nurbs/normal.h"
 #include "nurbs/patch_kernel.h"
 
 #include <float.h>
@@ -59,22 +60,21 @@ void patch_make(Arena *a, int k_u, int k_v, const Vec4 *points, double rounding,
 
 static Vec3 xyz(Vec4 p) { return vec(p.x, p.y, p.z); }
 
-/* S_s x S_t from the homogeneous derivatives, and whether its direction means something: half of the bits are asked for. */
-static bool normal_at(const Patch *p, double s, double t, Vec3 *normal)
+typedef struct { const Patch *p; double s, t; } Way;
+
+/* From the homogeneous derivatives: w S_s = H_s - w_s S. */
+static NormalTangents tangents_at(const void *context, double inwards)
 {
+    const Way *k = context;
+    double s = k->s + inwards * (0.5 - k->s), t = k->t + inwards * (0.5 - k->t);
     Vec4 value, by_s, by_t;
-    patch_evaluate(p, s, t, &value, &by_s, &by_t);
+    patch_evaluate(k->p, s, t, &value, &by_s, &by_t);
     Vec3 at = vec4_project(value);
-    Vec3 s_s = vec_sub(xyz(by_s), vec_scale(at, by_s.w)), s_t = vec_sub(xyz(by_t), vec_scale(at, by_t.w));
-    *normal = vec_cross(s_s, s_t);
-    double along_s = vec_length(s_s), along_t = vec_length(s_t), lost = 0x1p-26 * p->radius * value.w;
-    return along_s > lost && along_t > lost && vec_length(*normal) > 0x1p-26 * along_s * along_t;
+    return (NormalTangents){ vec_scale(vec_sub(xyz(by_s), vec_scale(at, by_s.w)), 1 / value.w),
+                             vec_scale(vec_sub(xyz(by_t), vec_scale(at, by_t.w)), 1 / value.w) };
 }
 
-Vec3 patch_normal(const Patch *p, double s, double t)
+Vec3 patch_normal(const Patch *p, double s, double t, Vec3 towards)
 {
-    Vec3 normal = { 0, 0, 0 };
-    for (double inwards = 0; inwards <= 1; inwards = inwards > 0 ? inwards * 16 : 0x1p-20)
-        if (normal_at(p, s + inwards * (0.5 - s), t + inwards * (0.5 - t), &normal)) break;
-    return vec_normalize(normal);
+    return normal_limit(tangents_at, &(Way){ p, s, t }, p->radius, towards);
 }

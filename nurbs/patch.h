@@ -40,7 +40,8 @@ void bernstein(int k, double x, double b[], double d[]);
 /* The homogeneous numerator and its derivatives by s and t: about the patch's origin. */
 void patch_evaluate(const Patch *p, double s, double t, Vec4 *value, Vec4 *by_s, Vec4 *by_t);
 
-/* The unit normal S_s x S_t at (s, t); where it vanishes, its limit from the side of the middle. */
-Vec3 patch_normal(const Patch *p, double s, double t);
+/* The unit normal S_s x S_t at (s, t); where it vanishes, its limit from the side of the middle; where all of the patch is a
+ * curve or a point, what is perpendicular to it and nearest to `towards`. */
+Vec3 patch_normal(const Patch *p, double s, double t, Vec3 towards);
 
 #endif

@@ -79,7 +79,7 @@ static uint32_t make_vertex(Tessellation *t, const Cell *c, GridPoint p)
     double u = grid_param(&t->grid->u, c->i, p.x), v = grid_param(&t->grid->v, c->j, p.y);
     return mesh_sink_vertex(t->out, (MeshVertex){
         .point = point_at(t, c, c->i * GRID_SPAN + p.x, c->j * GRID_SPAN + p.y),
-        .normal = patch_normal(patch, (double)p.x / (double)GRID_SPAN, (double)p.y / (double)GRID_SPAN),
+        .normal = patch_normal(patch, (double)p.x / (double)GRID_SPAN, (double)p.y / (double)GRID_SPAN, vec(0, 0, 1)),
         .uv = vec2((u - s->u0) / (s->u1 - s->u0), (v - s->v0) / (s->v1 - s->v0)),
     });
 }

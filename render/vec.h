@@ -25,7 +25,10 @@ static inline Vec3 vec_cross(Vec3 a, Vec3 b)
 }
 static inline double vec_length2(Vec3 a) { return vec_dot(a, a); }
 static inline double vec_length(Vec3 a) { return sqrt(vec_length2(a)); }
-static inline double vec_max_abs(Vec3 a) { return fmax(fabs(a.x), fmax(fabs(a.y), fabs(a.z))); }
+static inline double vec_max_abs(Vec3 a)          /* components that are NaN count for nothing */
+{
+    return double_max(fabs(a.x), double_max(fabs(a.y), double_max(fabs(a.z), 0)));
+}
 static inline int vec_is_finite(Vec3 a) { return isfinite(a.x) && isfinite(a.y) && isfinite(a.z); }
 
 /* a / |a| for any finite a, however large or small (scaled first, so that nothing over- or underflows); 0 stays 0. */

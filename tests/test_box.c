@@ -73,7 +73,7 @@ static void a_ray_through_a_point_of_the_box_meets_it(void **state)
     (void)state;
     TestRandom r = test_random(3);
     for (int i = 0; i < 300000; i++) {
-        double scale = ldexp(1, test_int(&r, -20, 20)), t = test_int(&r, 1, 1000), t_enter;
+        double scale = ldexp(1, test_int(&r, -20, 20)), t = test_int(&r, 1, 1000), t_enter = -1;
         Box b;
         double dir[3], origin[3];
         for (int k = 0; k < 3; k++) {

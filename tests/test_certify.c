@@ -237,6 +237,71 @@ static void a_ray_in_the_surface_hits_where_it_enters(void **state)
     CHECK_WITHIN(fabs(nearest - 2), 1e-13, "enters at %.17g", nearest);
 }
 
+/* ---- normals ---- */
+
+/* A bilinear patch with corners o, o + a, o + b, o + a + c, turned at random. */
+static Patch *sheared(Fixture *f, Vec3 a, Vec3 b, Vec3 c, Vec3 o)
+{
+    Vec3 corner[4] = { o, vec_add(o, a), vec_add(o, b), vec_add(vec_add(o, a), c) };
+    Vec4 p[4];
+    for (int i = 0; i < 4; i++) p[i] = vec4(corner[i].x, corner[i].y, corner[i].z, 1);
+    Patch *out = ARENA_NEW(f->arena, Patch);
+    patch_make(f->arena, 2, 2, p, 0, (TrimRect){ 0, 1, 0, 1 }, out);
+    return out;
+}
+
+/* On the collapsed side of a triangle, and where one side is shorter than the other by up to 2^-40: the plane's own. The
+ * shorter side has as many bits less; the first step from the collapsed one, 20. */
+static void a_flat_patch_has_the_normal_of_its_plane_wherever_it_collapses(void **state)
+{
+    Fixture *f = *state;
+    for (unsigned seed = 0; seed < 1000; seed++) {
+        TestRandom r = test_random(seed);
+        Vec3 a = random_direction(&r), z = vec_normalize(vec_cross(a, random_direction(&r))), b = vec_cross(z, a);
+        double width = ldexp(1, -test_int(&r, 0, 40));
+        bool is_triangle = seed % 2;
+        Patch *p = is_triangle ? sheared(f, a, vec(0, 0, 0), b, vec(0, 0, 0))
+                               : sheared(f, a, vec_scale(b, width), vec_scale(b, width), vec(0, 0, 0));
+        double s = is_triangle ? 0 : test_unit(&r), t = test_unit(&r);
+        Vec3 n = patch_normal(p, s, t, vec(0, 0, 1));
+        double bound = is_triangle ? 0x1p-48 / 0x1p-20 : 0x1p-48 / width;
+        CHECK_WITHIN(vec_length(vec_sub(n, z)), bound, "seed %u, width %g", seed, width);
+    }
+}
+
+/* An eighth of a sphere, whose side t = 1 is the pole. */
+static void the_normal_at_a_pole_is_the_limit(void **state)
+{
+    Fixture *f = *state;
+    const double h = sqrt(0.5), c[3] = { 1, h, 0 }, e[3] = { 0, h, 1 }, w[3] = { 1, h, 1 };   /* homogeneous quarter */
+    Vec4 p[9];
+    for (int j = 0; j < 3; j++)
+        for (int i = 0; i < 3; i++) p[3 * j + i] = vec4(c[j] * c[i], c[j] * e[i], e[j] * w[i], w[i] * w[j]);
+    Patch patch;
+    patch_make(f->arena, 3, 3, p, 0, (TrimRect){ 0, 1, 0, 1 }, &patch);
+    for (int i = 0; i <= 10; i++) {
+        Vec3 n = patch_normal(&patch, i / 10.0, 1, vec(1, 0, 0));
+        CHECK_WITHIN(vec_length(vec_sub(n, vec(0, 0, 1))), 0x1p-19, "at s %g: (%g, %g, %g)", i / 10.0, n.x, n.y, n.z);
+    }
+}
+
+/* A patch that is a line, or a point: of length 1, across it, and on the side of who looks. */
+static void a_patch_without_a_normal_has_one_that_faces_who_looks(void **state)
+{
+    Fixture *f = *state;
+    for (unsigned seed = 0; seed < 1000; seed++) {
+        TestRandom r = test_random(seed);
+        Vec3 along = random_direction(&r), from = vec_scale(random_direction(&r), 10), none = { 0, 0, 0 };
+        if (seed % 3 == 0) from = along;
+        Patch *p = sheared(f, seed % 2 ? along : none, none, none, random_direction(&r));
+        Vec3 n = patch_normal(p, test_unit(&r), test_unit(&r), from);
+        CHECK_WITHIN(fabs(vec_length(n) - 1), 1e-15, "seed %u", seed);
+        CHECK_WITHIN(-vec_dot(n, from), 1e-7, "seed %u", seed);   /* looking along the line, all are as good */
+        if (seed % 2) CHECK_WITHIN(fabs(vec_dot(n, along)), 0x1p-49, "seed %u", seed);
+        else CHECK_WITHIN(vec_length(vec_sub(n, vec_normalize(from))), 1e-15, "seed %u", seed);
+    }
+}
+
 /* ---- whole surfaces ---- */
 
 /* A torus of radii 1 and 0.4 as a rational biquadratic surface of 9 x 9 points: circles of four arcs in both directions. */
@@ -297,6 +362,9 @@ int main(void)
         cmocka_unit_test_setup_teardown(the_frame_loses_and_invents_nothing, set_up, tear_down),
         cmocka_unit_test_setup_teardown(a_tangent_ray_hits_and_one_beside_it_does_not, set_up, tear_down),
         cmocka_unit_test_setup_teardown(a_ray_in_the_surface_hits_where_it_enters, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(a_flat_patch_has_the_normal_of_its_plane_wherever_it_collapses, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(the_normal_at_a_pole_is_the_limit, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(a_patch_without_a_normal_has_one_that_faces_who_looks, set_up, tear_down),
         cmocka_unit_test_setup_teardown(a_closed_surface_is_left_as_often_as_entered, set_up, tear_down),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

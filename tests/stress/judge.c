@@ -60,13 +60,11 @@ static Judgement judge(const Truth *truth, const Ray *r, bool is_hit, double t, 
     bool is_near = i >= 0 || (i = root_of(truth, first, t, JUDGE_NEAR * truth->length)) >= 0;
     if (!is_near) return must && t > truth->root[first].hi ? JUDGED_MISSED : JUDGED_FALSE;
     const TruthRoot *root = &truth->root[i];
-    if (t < root->lo - slack || t > root->hi + slack) {
-        row->worst = fmax(row->worst, (double)(fmaxl(root->lo - t, t - root->hi) / truth->length));
-        return JUDGED_INEXACT;
-    }
-    if (i != first || root->hi - root->lo > 2 * slack) return JUDGED_IN_BAND;
+    bool is_exact = fabsl(t - root->t) <= slack, is_in = root->lo <= t && t <= root->hi;
+    bool is_told = i == first && is_exact && root->hi - root->lo <= 2 * slack;
+    if ((is_exact || is_in) && !is_told) return JUDGED_IN_BAND;
     row->worst = fmax(row->worst, (double)(fabsl(t - root->t) / truth->length));
-    return JUDGED_RIGHT;
+    return is_told ? JUDGED_RIGHT : JUDGED_INEXACT;
 }
 
 /* Is each sure root among all hits once (an odd number of times, where roots are too near to each other to tell), and is

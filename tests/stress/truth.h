@@ -17,8 +17,8 @@
  *     BAND_ROUNDINGS (k_u + k_v + 8) u L = 8 (k_u + k_v + 8) u L: for bicubics 64 units in the last place of L.
  * With half of it, one ray of 12,000 of the families is met falsely. What passes at more must not be met.
  *
- * lo and hi say where along the ray a root may move to by the second band. Where that is more than TRUTH_ERROR L, the ray
- * grazes, and the hit is held to [lo, hi] instead of to TRUTH_ERROR. */
+ * lo and hi say where along the ray a root may move to by the second band. A hit is held to TRUTH_ERROR L; if the ray
+ * grazes, so that they are farther apart, to [lo, hi]. */
 #ifndef TRIMRAY_STRESS_TRUTH_H
 #define TRIMRAY_STRESS_TRUTH_H
 

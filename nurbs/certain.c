@@ -308,14 +308,21 @@ static double use_frame(const Ray *r, Trace *t)
     return t->frame.length;
 }
 
-static bool search_tiles(Search *k, const Ray *r, double t_max, Trace *t)
+/* false: it is no ray. */
+static inline bool set_ray(Search *k, const Ray *r, double t_max, Trace *t)
 {
     if (!vec_is_finite(r->origin) || !vec_is_finite(r->dir)) return false;
     k->length = use_frame(r, t);
-    Ray in_bvh = { vec_sub(r->origin, k->tree->bvh_base), r->dir, r->t_min };
     k->ray = (PatchRay){ .origin = vec_sub(r->origin, k->tree->base), .d = t->frame.d, .n1 = t->frame.n1, .n2 = t->frame.n2,
                          .t_min = r->t_min * k->length, .t_max = t_max * k->length };
     if (t->root.seed == t->seed) k->ray.guess = t->root.leaf, k->ray.guess_s = t->root.s, k->ray.guess_t = t->root.t;
+    return true;
+}
+
+static bool search_tiles(Search *k, const Ray *r, double t_max, Trace *t)
+{
+    if (!set_ray(k, r, t_max, t)) return false;
+    Ray in_bvh = { vec_sub(r->origin, k->tree->bvh_base), r->dir, r->t_min };
     bvh_traverse(k->tree->bvh, &in_bvh, &t_max, visit_tile, k, t);
     return k->found;
 }
@@ -328,10 +335,26 @@ bool certain_nearest(const Surface *s, const TileTree *tree, const Ray *r, doubl
     return true;
 }
 
+bool certain_nearest_on(const Surface *s, const TileTree *tree, uint32_t tile, const Ray *r, double t_max, Trace *t,
+                        CertainHit *out)
+{
+    Search k = { .s = s, .tree = tree, .take = take_nearest };
+    if (!set_ray(&k, r, t_max, t)) return false;
+    visit_tile(&k, tile, r, &t_max, t);
+    if (k.found) *out = k.nearest;
+    return k.found;
+}
+
 bool certain_any(const Surface *s, const TileTree *tree, const Ray *r, double t_max, Trace *t)
 {
     Search k = { .s = s, .tree = tree, .take = take_any };
     return search_tiles(&k, r, t_max, t);
+}
+
+bool certain_any_on(const Surface *s, const TileTree *tree, uint32_t tile, const Ray *r, double t_max, Trace *t)
+{
+    Search k = { .s = s, .tree = tree, .take = take_any };
+    return set_ray(&k, r, t_max, t) && visit_tile(&k, tile, r, &t_max, t);
 }
 
 /* ---- all hits ---- */

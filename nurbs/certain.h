@@ -38,6 +38,11 @@ typedef struct {
 /* The nearest hit in the open interval (r->t_min, t_max) that no trim cuts away; counts into t. */
 bool certain_nearest(const Surface *s, const TileTree *tree, const Ray *r, double t_max, Trace *t, CertainHit *out);
 
+/* The same of one tile, and of what it was halved into. */
+bool certain_nearest_on(const Surface *s, const TileTree *tree, uint32_t tile, const Ray *r, double t_max, Trace *t,
+                        CertainHit *out);
+bool certain_any_on(const Surface *s, const TileTree *tree, uint32_t tile, const Ray *r, double t_max, Trace *t);
+
 /* Is there any hit in (r->t_min, t_max)? */
 bool certain_any(const Surface *s, const TileTree *tree, const Ray *r, double t_max, Trace *t);
 

@@ -55,6 +55,29 @@ static bool certain_shape_blocks(const Shape *s, const Ray *r, double t_max, Tra
     return certain_any(n->surface, &n->tiles, r, t_max, t);
 }
 
+/* Boxes about a base of their own belong into no other tree. */
+static const Bvh *certain_shape_lend(Shape *s, Trace *t)
+{
+    const NurbsShape *n = (const NurbsShape *)s;
+    shape_prepare(s, t);
+    return vec_max_abs(n->tiles.bvh_base) == 0 ? n->tiles.bvh : NULL;
+}
+
+static bool certain_shape_hit_item(const Shape *s, uint32_t item, const Ray *r, Hit *best, Trace *t)
+{
+    const NurbsShape *n = (const NurbsShape *)s;
+    CertainHit hit;
+    if (!certain_nearest_on(n->surface, &n->tiles, item, r, best->t, t, &hit)) return false;
+    hit_set(best, hit.t, hit.t_error, hit.u, hit.v, s, hit.tile);
+    return true;
+}
+
+static bool certain_shape_item_blocks(const Shape *s, uint32_t item, const Ray *r, double t_max, Trace *t)
+{
+    const NurbsShape *n = (const NurbsShape *)s;
+    return certain_any_on(n->surface, &n->tiles, item, r, t_max, t);
+}
+
 static void certain_shape_all_hits(const Shape *s, const Ray *r, HitList *out, Trace *t)
 {
     const NurbsShape *n = (const NurbsShape *)s;
@@ -74,7 +97,8 @@ static void certain_shape_attributes(const Shape *s, const Ray *r, const Hit *h,
 
 static const ShapeType certain_type = {
     .name = "trimmed_nurbs", .bounds = nurbs_bounds, .prepare = certain_shape_prepare, .hit = certain_shape_hit,
-    .blocks = certain_shape_blocks, .all_hits = certain_shape_all_hits,
+    .blocks = certain_shape_blocks, .lend = certain_shape_lend, .hit_item = certain_shape_hit_item,
+    .item_blocks = certain_shape_item_blocks, .all_hits = certain_shape_all_hits,
     .attributes = certain_shape_attributes, .tessellate = nurbs_tessellate,
 };
 

@@ -19,6 +19,7 @@ struct Bvh {
     const BvhNode *nodes;
     uint32_t n_nodes;
     const uint32_t *items;      /* indices of boxes, leaf by leaf: one each */
+    uint32_t n_items;           /* one more than the largest of them */
     Box bounds;
 };
 
@@ -192,51 +193,80 @@ static uint32_t gather(const Box *boxes, uint32_t n, Item *items)
     return n_items;
 }
 
-static Bvh *finish(Arena *a, const Builder *b, uint32_t n_items)
+static Bvh *new_wide(Arena *a, WideBvh *wide, Box bounds, uint32_t n_items)
 {
     Bvh *out = ARENA_NEW(a, Bvh);
-    uint32_t *indices = ARENA_ARRAY(b->split == BVH_SAH ? b->scratch : a, uint32_t, n_items);
-    for (uint32_t i = 0; i < n_items; i++) indices[i] = b->items[i].index;
-    out->bounds = b->n_nodes > 0 ? b->nodes[0].box : box_empty();
-    if (b->n_nodes == 0) return out;
-    if (b->split == BVH_SAH) {
-        out->wide = bvh_wide_build(a, b->nodes, indices);
-        out->n_nodes = bvh_wide_node_count(out->wide);
-        return out;
-    }
-    out->items = indices;
-    out->nodes = arena_copy(a, b->nodes, b->n_nodes, sizeof(BvhNode));
-    out->n_nodes = b->n_nodes;
+    *out = (Bvh){ .bounds = bounds, .wide = wide, .n_items = n_items, .n_nodes = wide ? bvh_wide_node_count(wide) : 0 };
     return out;
+}
+
+static uint32_t *item_indices(Arena *a, const Builder *b, uint32_t n_items)
+{
+    uint32_t *indices = ARENA_ARRAY(a, uint32_t, n_items);
+    for (uint32_t i = 0; i < n_items; i++) indices[i] = b->items[i].index;
+    return indices;
+}
+
+static Bvh *new_binary(Arena *a, const Builder *b, uint32_t n_items, uint32_t n_boxes)
+{
+    Bvh *out = ARENA_NEW(a, Bvh);
+    *out = (Bvh){ .bounds = b->nodes[0].box, .n_items = n_boxes, .items = item_indices(a, b, n_items), .n_nodes = b->n_nodes,
+                  .nodes = arena_copy(a, b->nodes, b->n_nodes, sizeof(BvhNode)) };
+    return out;
+}
+
+/* The binary tree, in scratch memory; the number of items. */
+static uint32_t build_binary(Builder *b, const Box *boxes, uint32_t n)
+{
+    b->items = ARENA_ARRAY(b->scratch, Item, n);
+    b->nodes = ARENA_ARRAY(b->scratch, BvhNode, 2 * (size_t)n);
+    uint32_t n_items = gather(boxes, n, b->items);
+    if (n_items == 0) return 0;
+    b->n_nodes = 1;
+    build_node(b, 0, 0, n_items, 0);
+    return n_items;
 }
 
 Bvh *bvh_build(Arena *a, const Box *boxes, uint32_t n, BvhSplit split)
 {
-    Arena *scratch = arena_new();                 /* freed here: the tree itself lies close together in a */
-    Builder b = { .items = ARENA_ARRAY(scratch, Item, n), .split = split, .scratch = scratch };
-    b.nodes = ARENA_ARRAY(scratch, BvhNode, 2 * (size_t)n);
-    uint32_t n_items = gather(boxes, n, b.items);
-    if (n_items > 0) {
-        b.n_nodes = 1;
-        build_node(&b, 0, 0, n_items, 0);
+    Builder b = { .split = split, .scratch = arena_new() };     /* freed here: the tree itself lies close together in a */
+    uint32_t n_items = build_binary(&b, boxes, n);
+    Bvh *out;
+    if (n_items == 0) out = new_wide(a, NULL, box_empty(), 0);
+    else if (split == BVH_MEDIAN) out = new_binary(a, &b, n_items, n);
+    else out = new_wide(a, bvh_wide_build(a, b.nodes, item_indices(b.scratch, &b, n_items)), b.nodes[0].box, n);
+    arena_free(b.scratch);
+    return out;
+}
+
+Bvh *bvh_join(Arena *a, const Box *boxes, const Bvh *const parts[], const uint32_t first_item[], uint32_t n)
+{
+    Builder b = { .split = BVH_SAH, .scratch = arena_new() };
+    uint32_t n_items = build_binary(&b, boxes, n);
+    const WideBvh **wide = ARENA_ARRAY(b.scratch, const WideBvh *, n);
+    for (uint32_t i = 0; i < n; i++) {
+        wide[i] = parts[i] ? parts[i]->wide : NULL;
+        assert(box_is_empty(boxes[i]) || !parts[i] || wide[i]);
     }
-    Bvh *out = finish(a, &b, n_items);
-    arena_free(scratch);
+    WideBvh *joined = n_items ? bvh_wide_join(a, b.nodes, item_indices(b.scratch, &b, n_items), wide, first_item) : NULL;
+    uint32_t last = n ? n - 1 : 0, end = n ? first_item[last] + (parts[last] ? bvh_item_count(parts[last]) : 1) : 0;
+    Bvh *out = new_wide(a, joined, n_items ? b.nodes[0].box : box_empty(), end);
+    arena_free(b.scratch);
     return out;
 }
 
 Bvh *bvh_from_tree(Arena *a, const BvhNode *nodes, uint32_t n_nodes)
 {
-    Bvh *out = ARENA_NEW(a, Bvh);
-    out->bounds = n_nodes > 0 ? nodes[0].box : box_empty();
-    if (n_nodes == 0) return out;
-    out->wide = bvh_wide_build(a, nodes, NULL);
-    out->n_nodes = bvh_wide_node_count(out->wide);
-    return out;
+    uint32_t n_items = 0;
+    if (n_nodes == 0) return new_wide(a, NULL, box_empty(), 0);
+    for (uint32_t i = 0; i < n_nodes; i++)
+        if (nodes[i].n_items > 0 && nodes[i].first >= n_items) n_items = nodes[i].first + 1;
+    return new_wide(a, bvh_wide_build(a, nodes, NULL), nodes[0].box, n_items);
 }
 
 Box bvh_bounds(const Bvh *b) { return b->bounds; }
 uint32_t bvh_node_count(const Bvh *b) { return b->n_nodes; }
+uint32_t bvh_item_count(const Bvh *b) { return b->n_items; }
 
 /* ---- traversal ---- */
 

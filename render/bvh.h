@@ -13,8 +13,6 @@ typedef enum {
     BVH_SAH       /* binned surface area heuristic, then collapsed to eight children a node (bvh_wide.c) */
 } BvhSplit;
 
-typedef struct Bvh Bvh;
-
 /* Builds a tree over n boxes (n may be 0; empty boxes are left out), deterministically. Infinite boxes are not allowed:
  * keep unbounded things outside. Leaves hold one box. */
 Bvh *bvh_build(Arena *a, const Box *boxes, uint32_t n, BvhSplit split);
@@ -27,8 +25,13 @@ typedef struct {
 } BvhNode;
 Bvh *bvh_from_tree(Arena *a, const BvhNode *nodes, uint32_t n_nodes);
 
+/* One tree in place of a tree over n boxes, some of which have trees within them, by BVH_SAH: parts[i], or NULL where box i
+ * is itself an item. The items of part i become first_item[i], first_item[i] + 1, ... */
+Bvh *bvh_join(Arena *a, const Box *boxes, const Bvh *const parts[], const uint32_t first_item[], uint32_t n);
+
 Box bvh_bounds(const Bvh *b);
 uint32_t bvh_node_count(const Bvh *b);
+uint32_t bvh_item_count(const Bvh *b);         /* one more than the largest item that it may tell a visitor */
 
 /* Called for item `i` (an index into the boxes given to bvh_build) whose box the ray meets nearer than *t_max. It may lower
  * *t_max. Returns true to end the traversal (an any-hit query that has its answer). */

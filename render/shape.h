@@ -31,6 +31,7 @@ typedef struct {
 typedef struct HitList HitList;     /* all hits of a ray in order of t, for CSG */
 typedef struct MeshSink MeshSink;   /* receives triangles, for export */
 typedef struct Sdl Sdl;             /* receives scene text, for export */
+typedef struct Bvh Bvh;             /* a tree of boxes */
 
 typedef struct {
     const char *name;   /* the scene's word, and the key in --stats */
@@ -38,6 +39,11 @@ typedef struct {
     void (*prepare)   (Shape *s, Arena *own, Trace *t);   /* once, when a first ray reaches the bounds; NULL: nothing */
     bool (*hit)       (const Shape *s, const Ray *r, Hit *best, Trace *t);    /* nearest in (r->t_min, best->t) */
     bool (*blocks)    (const Shape *s, const Ray *r, double t_max, Trace *t); /* any in (r->t_min, t_max); NULL: by hit() */
+    /* Its own tree of boxes, to be joined with others into the tree of a compound around it, so that a ray walks one tree and
+     * not two; prepares it. The compound then asks for its items one by one: as hit() and blocks(). NULL: it has none. */
+    const Bvh *(*lend)(Shape *s, Trace *t);
+    bool (*hit_item)  (const Shape *s, uint32_t item, const Ray *r, Hit *best, Trace *t);
+    bool (*item_blocks)(const Shape *s, uint32_t item, const Ray *r, double t_max, Trace *t);
     void (*all_hits)  (const Shape *s, const Ray *r, HitList *out, Trace *t); /* appends, by t; NULL: hit() repeated */
     bool (*inside)    (const Shape *s, Vec3 p);                               /* NULL: a surface without an inside */
     Box  (*inside_bounds)(const Shape *s);                                    /* of all that is inside; NULL: bounds() */

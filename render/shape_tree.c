@@ -11,9 +11,16 @@ typedef struct {
     unsigned flags;
 } Part;
 
+/* What the joined tree has: an item of a part, or the part itself. */
+typedef struct { uint32_t part, item; } Item;
+#define ALL_OF_IT UINT32_MAX
+
 struct ShapeTree {
     const Part *parts;
+    uint32_t n;
     Bvh *bvh;                  /* over all parts; the boxes of unbounded ones were given as empty */
+    Bvh *joined;               /* with the trees that parts lend in place of their boxes; NULL: none does */
+    const Item *items;         /* of `joined` */
     const uint32_t *unbounded;
     uint32_t n_unbounded;
 };
@@ -44,11 +51,62 @@ ShapeTree *shape_tree_build(Arena *a, Shape *const shapes[], const unsigned char
         unbounded[tree->n_unbounded++] = i;
     }
     rank_parts(parts, n, unbounded, tree->n_unbounded, unbounded_first);
-    tree->parts = parts;
+    tree->parts = parts, tree->n = n;
     tree->unbounded = unbounded;
     tree->bvh = bvh_build(a, boxes, n, BVH_SAH);
     arena_free(scratch);
     return tree;
+}
+
+static bool is_unbounded(const ShapeTree *tree, uint32_t part)
+{
+    for (uint32_t k = 0; k < tree->n_unbounded; k++)
+        if (tree->unbounded[k] == part) return true;
+    return false;
+}
+
+/* The tree of each part that lends one, and the boxes of the others; the number of parts that do. */
+static uint32_t borrow_trees(const ShapeTree *tree, const Bvh **lent, Box *boxes, Trace *t)
+{
+    uint32_t n_lent = 0;
+    for (uint32_t i = 0; i < tree->n; i++) {
+        Shape *s = (Shape *)tree->parts[i].shape;    /* preparing it is the one change that is made to a shape */
+        lent[i] = s->type->lend ? s->type->lend(s, t) : NULL;
+        boxes[i] = lent[i] ? bvh_bounds(lent[i]) : is_unbounded(tree, i) ? box_empty() : shape_bounds(s);
+        n_lent += lent[i] != NULL;
+    }
+    return n_lent;
+}
+
+void shape_tree_join(ShapeTree *tree, Arena *a, Trace *t)
+{
+    Arena *scratch = arena_new();
+    const Bvh **lent = ARENA_ARRAY(scratch, const Bvh *, tree->n);
+    Box *boxes = ARENA_ARRAY(scratch, Box, tree->n);
+    uint32_t *first = ARENA_ARRAY(scratch, uint32_t, tree->n), n_items = 0;
+    if (borrow_trees(tree, lent, boxes, t) > 0) {
+        for (uint32_t i = 0; i < tree->n; i++) first[i] = n_items, n_items += lent[i] ? bvh_item_count(lent[i]) : 1;
+        Item *items = ARENA_ARRAY(a, Item, n_items);
+        for (uint32_t i = 0; i < tree->n; i++)
+            for (uint32_t k = first[i], end = i + 1 < tree->n ? first[i + 1] : n_items; k < end; k++)
+                items[k] = (Item){ i, lent[i] ? k - first[i] : ALL_OF_IT };
+        tree->items = items;
+        tree->joined = bvh_join(a, boxes, lent, first, tree->n);
+    }
+    arena_free(scratch);
+}
+
+/* An item of the tree that is searched, alone. */
+static bool hit_item(const ShapeTree *tree, Item i, const Ray *r, Hit *best, Trace *t)
+{
+    const Shape *s = tree->parts[i.part].shape;
+    return i.item == ALL_OF_IT ? shape_hit(s, r, best, t) : s->type->hit_item(s, i.item, r, best, t);
+}
+
+static bool item_blocks(const ShapeTree *tree, Item i, const Ray *r, double t_max, Trace *t)
+{
+    const Shape *s = tree->parts[i.part].shape;
+    return i.item == ALL_OF_IT ? shape_blocks(s, r, t_max, t) : s->type->item_blocks(s, i.item, r, t_max, t);
 }
 
 typedef struct {
@@ -59,14 +117,13 @@ typedef struct {
 } Search;
 
 /* A part of lower rank is asked for hits up to and including the best so far. */
-static bool visit_nearest(void *context, uint32_t i, const Ray *r, double *t_max, Trace *t)
+static bool meet_nearest(Search *s, Item i, const Ray *r, double *t_max, Trace *t)
 {
-    Search *s = context;
-    const Part *p = &s->tree->parts[i];
+    const Part *p = &s->tree->parts[i.part];
     if (p->flags & s->skip) return false;
     double before = s->best->t;
     if (p->rank < s->best_rank) s->best->t = nextafter(before, INFINITY);
-    if (!shape_hit(p->shape, r, s->best, t)) {
+    if (!hit_item(s->tree, i, r, s->best, t)) {
         s->best->t = before;
         return false;
     }
@@ -76,12 +133,24 @@ static bool visit_nearest(void *context, uint32_t i, const Ray *r, double *t_max
     return false;
 }
 
+static bool visit_nearest(void *context, uint32_t i, const Ray *r, double *t_max, Trace *t)
+{
+    return meet_nearest(context, (Item){ i, ALL_OF_IT }, r, t_max, t);
+}
+
+static bool visit_joined(void *context, uint32_t i, const Ray *r, double *t_max, Trace *t)
+{
+    Search *s = context;
+    return meet_nearest(s, s->tree->items[i], r, t_max, t);
+}
+
 bool shape_tree_hit(const ShapeTree *tree, const Ray *r, unsigned skip, Hit *best, Trace *t)
 {
     Search s = { tree, skip, best, -1 };
     double t_max = best->t;
     for (uint32_t i = 0; i < tree->n_unbounded; i++) visit_nearest(&s, tree->unbounded[i], r, &t_max, t);
-    bvh_traverse(tree->bvh, r, &t_max, visit_nearest, &s, t);
+    if (tree->joined) bvh_traverse(tree->joined, r, &t_max, visit_joined, &s, t);
+    else bvh_traverse(tree->bvh, r, &t_max, visit_nearest, &s, t);
     return s.best_rank >= 0;
 }
 
@@ -108,11 +177,20 @@ void shape_tree_all_hits(const ShapeTree *tree, const Ray *r, HitList *out, Trac
     hit_list_sort(out, first);
 }
 
+static bool meet_any(const Search *s, Item i, const Ray *r, const double *t_max, Trace *t)
+{
+    return !(s->tree->parts[i.part].flags & s->skip) && item_blocks(s->tree, i, r, *t_max, t);
+}
+
 static bool visit_any(void *context, uint32_t i, const Ray *r, double *t_max, Trace *t)
 {
+    return meet_any(context, (Item){ i, ALL_OF_IT }, r, t_max, t);
+}
+
+static bool visit_any_joined(void *context, uint32_t i, const Ray *r, double *t_max, Trace *t)
+{
     const Search *s = context;
-    const Part *p = &s->tree->parts[i];
-    return !(p->flags & s->skip) && shape_blocks(p->shape, r, *t_max, t);
+    return meet_any(s, s->tree->items[i], r, t_max, t);
 }
 
 bool shape_tree_blocks(const ShapeTree *tree, const Ray *r, unsigned skip, double t_max, Trace *t)
@@ -120,5 +198,6 @@ bool shape_tree_blocks(const ShapeTree *tree, const Ray *r, unsigned skip, doubl
     Search s = { tree, skip, NULL, -1 };
     for (uint32_t i = 0; i < tree->n_unbounded; i++)
         if (visit_any(&s, tree->unbounded[i], r, &t_max, t)) return true;
+    if (tree->joined) return bvh_traverse(tree->joined, r, &t_max, visit_any_joined, &s, t);
     return bvh_traverse(tree->bvh, r, &t_max, visit_any, &s, t);
 }

@@ -16,8 +16,8 @@ static Box union_bounds(const Shape *shape) { return ((const Union *)shape)->bou
 static void union_prepare(Shape *shape, Arena *own, Trace *t)
 {
     Union *u = (Union *)shape;
-    (void)t;
     u->tree = shape_tree_build(own, u->parts, NULL, u->n, false);
+    shape_tree_join(u->tree, own, t);
 }
 
 static bool union_hit(const Shape *shape, const Ray *r, Hit *best, Trace *t)

@@ -183,10 +183,12 @@ ALWAYS_INLINE FrameResult frame_test(Solve *k)
     if (!(det > NO_ANGLE * u * v)) return FRAME_HOPELESS;
     double x = k->q1 * k->c22 - k->q2 * k->c12, y = k->q2 * k->c11 - k->q1 * k->c21;   /* times det */
     double column_s2 = k->c11 * k->c11 + k->c21 * k->c21, column_t2 = k->c12 * k->c12 + k->c22 * k->c22;
-    if (fabs(x) > det + sqrt(column_t2) * slack) return FRAME_MISS;
-    if (fabs(y) > det + sqrt(column_s2) * slack) return FRAME_MISS;
-    k->contraction = sqrt(column_s2 * v * v + column_t2 * u * u) * f->variation / det;
-    if (!(k->contraction < CONTRACTION)) return k->contraction < WORTH_HALVING ? FRAME_UNDECIDED : FRAME_HOPELESS;
+    double past_x = double_max(fabs(x) - det, 0), past_y = double_max(fabs(y) - det, 0);
+    if (past_x * past_x > column_t2 * slack * slack || past_y * past_y > column_s2 * slack * slack) return FRAME_MISS;
+    double contraction2 = (column_s2 * v * v + column_t2 * u * u) * f->variation * f->variation, det2 = det * det;
+    if (!(contraction2 < CONTRACTION * CONTRACTION * det2))
+        return contraction2 < (double)WORTH_HALVING * WORTH_HALVING * det2 ? FRAME_UNDECIDED : FRAME_HOPELESS;
+    k->contraction = sqrt(contraction2 / det2);
     const double lo = -TILE_MARGIN, hi = 1 + TILE_MARGIN, scale = 0.5 / k->c_det;
     k->s = clamped(0.5 + x * scale, lo, hi);
     k->t = clamped(0.5 + y * scale, lo, hi);

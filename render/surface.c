@@ -39,8 +39,3 @@ Surface surface_with(const Surface *at, const TextureChoice *choice)
     part.texture_point = choice->texture->uv_mapping ? vec(at->uv.x, at->uv.y, 0) : choice->point;
     return part;
 }
-
-Color surface_color(const Surface *at, const Layer *layer)
-{
-    return pigment_color(layer->pigment, at->texture_point, at->uv);
-}

@@ -41,6 +41,9 @@ static inline double surface_stop_before(Vec3 from, Vec3 to, double distance)
 Surface surface_with(const Surface *at, const TextureChoice *choice);
 
 /* The colour of one of its layers. */
-Color surface_color(const Surface *at, const Layer *layer);
+static inline Color surface_color(const Surface *at, const Layer *layer)
+{
+    return pigment_color(layer->pigment, at->texture_point, at->uv);
+}
 
 #endif

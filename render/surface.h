@@ -13,7 +13,7 @@ typedef struct {
     double cos_view;             /* -dir . normal, in [0, 1] */
     double offset;               /* hit_offset's */
     const Texture *texture;
-    Vec3 texture_point;          /* only of textures that are not the same everywhere */
+    Vec3 texture_point;          /* this and uv: only of textures that are not the same everywhere */
     Vec2 uv;
 } Surface;
 

@@ -225,16 +225,16 @@ static bool runs_in_surface(const Search *k, Part *n, double length)
 }
 
 /* A box whose nearest point is `at`, and that is a small one or one with one root at most. */
-static bool settle_near_ray(Search *k, Part *n, double error, double w_max, const ViewPoint *at)
+static bool settle_near_ray(Search *k, Part *n, double error, const ViewPoint *at)
 {
-    if (is_on_ray(at, error / w_max)) return report(k, n, at);
+    if (is_on_ray(at, error)) return report(k, n, at);
     return k->patience >= 0 && !view_is_off(&n->view, at->x.value, at->y.value, error) && halve_image(k, n);
 }
 
 /* A box that cannot be told from the ray, or a needle through it. */
-static bool settle_on_ray(Search *k, Part *n, double error, double w_max, double length, const ViewPoint *at)
+static bool settle_on_ray(Search *k, Part *n, double error, double length, const ViewPoint *at)
 {
-    if (k->patience < 0 || !runs_in_surface(k, n, length)) return settle_near_ray(k, n, error, w_max, at);
+    if (k->patience < 0 || !runs_in_surface(k, n, length)) return settle_near_ray(k, n, error, at);
     Lengths depths = view_depths(&n->view);
     return halve(k, n, depths.by_s >= depths.by_t);
 }
@@ -244,7 +244,7 @@ static bool settle_in_scratch(Search *k, Part *n)
 {
     for (;;) {
         ViewExtent e = view_extent(&n->view);
-        double error = k->rounding * e.w_max + n->view.lost, near = ON_THE_RAY * error;
+        double over_w = k->rounding + n->view.lost, error = over_w * e.w_max, near = ON_THE_RAY * over_w;
         if (e.x.lo > error || e.x.hi < -error || e.y.lo > error || e.y.hi < -error) return false;
         Range depth = view_depth(&n->view);
         double slack = k->rounding + n->view.drift * k->p->radius;
@@ -252,14 +252,14 @@ static bool settle_in_scratch(Search *k, Part *n)
         k->patience--;
         ViewPoint at;
         if (n->view.size <= near)
-            return at = nearest_point(k, n), settle_on_ray(k, n, error, e.w_max, depth.hi - depth.lo, &at);
-        if (k->patience < 0) return at = nearest_point(k, n), is_on_ray(&at, error / e.w_max) && report(k, n, &at);
+            return at = nearest_point(k, n), settle_on_ray(k, n, over_w, depth.hi - depth.lo, &at);
+        if (k->patience < 0) return at = nearest_point(k, n), is_on_ray(&at, over_w) && report(k, n, &at);
 
         double across;
         ViewPart c = view_narrow(&n->view, error, k->trace->scratch, &n->is_certified, &across);
         if (c.s.lo > c.s.hi || c.t.lo > c.t.hi) return false;
-        if (across <= near && (at = nearest_point(k, n), is_on_ray(&at, error / e.w_max)))
-            return settle_on_ray(k, n, error, e.w_max, depth.hi - depth.lo, &at);
+        if (across <= near * e.w_max && (at = nearest_point(k, n), is_on_ray(&at, over_w)))
+            return settle_on_ray(k, n, over_w, depth.hi - depth.lo, &at);
         if (n->is_certified && find_root(n, &at)) return report_root(k, n, &at);
         bool is_worth_it = c.s.hi - c.s.lo <= MIN_CLIP || c.t.hi - c.t.lo <= MIN_CLIP;
         view_restrict(&n->view, true, c.s);
@@ -268,7 +268,7 @@ static bool settle_in_scratch(Search *k, Part *n)
         if (!n->is_certified) return halve_image(k, n);
         /* At most one root, and clipping converges quadratically to it: what stops it is the rounding, unless that is much
          * enlarged by the inverse of a needle. */
-        return at = nearest_point(k, n), settle_near_ray(k, n, error, e.w_max, &at);
+        return at = nearest_point(k, n), settle_near_ray(k, n, over_w, &at);
     }
 }
 
@@ -280,18 +280,14 @@ static bool settle(Search *k, Part *n)
     return ended;
 }
 
-/* The tile as the ray sees it. What is lost on the way there is relative to the weights of the tile, not to those of the
- * patch, since each coordinate is at most the radius times its weight: it counts as rounding. */
-static View view_of_tile(Search *k)
+/* The tile as the ray sees it. */
+static View view_of_tile(const Search *k)
 {
     const Tile *f = k->tile;
-    const Patch *p = k->p;
-    View v = view_of(k->trace->scratch, p, k->ray);
+    View v = view_of(k->trace->scratch, k->p, k->ray);
     view_extent(&v);
     view_restrict(&v, true, (Range){ f->s0, f->s0 + f->ds });
     view_restrict(&v, false, (Range){ f->t0, f->t0 + f->dt });
-    v.lost = 0;
-    k->rounding += v.drift * p->radius;
     return v;
 }
 

@@ -250,6 +250,18 @@ int trim_chain_next(const TrimChain *c, TrimRect r, int from)
     return -1;
 }
 
+/* r touches the arc's box from below or from above: at this height the arc is at its end, or, by that vertex's low part, near
+ * it or nowhere. */
+static bool arc_meets_height(const TrimPath *path, int i, double u0, double u1, double v)
+{
+    WidePoint from = trim_vertex(path, i), to = trim_vertex(path, i + 1), at = wide_point(vec2(u1, v));
+    if (trim_run_straddles(path, i, i + 1, at) != 0)
+        return !trim_arc_is_right(&path->arc[i], from, to, at)
+            && trim_arc_is_right(&path->arc[i], from, to, wide_point(vec2(nextafter(u0, -1), v)));
+    WidePoint top = wide_less(from.y, to.y) ? to : from;
+    return !trim_is_above(from, at) && !wide_less(top.y, at.y) && top.x.hi >= u0 && top.x.hi <= u1;
+}
+
 /* An arc from the lower left to the upper right keeps clear of r if it passes to the right of r's lower right corner or
  * to the left of the upper left one, both cut to the arc's box; other arcs likewise. */
 static bool arc_meets_rect(const TrimPath *path, int i, TrimRect r)
@@ -257,6 +269,7 @@ static bool arc_meets_rect(const TrimPath *path, int i, TrimRect r)
     Vec2 a = path->p[i], b = path->p[i + 1];
     TrimRect box = trim_rect_of(a, b);
     TrimRect q = { fmax(r.u0, box.u0), fmin(r.u1, box.u1), fmax(r.v0, box.v0), fmin(r.v1, box.v1) };
+    if (q.v0 == q.v1) return arc_meets_height(path, i, q.u0, q.u1, q.v0);
     bool leans_right = (b.x > a.x) == (b.y > a.y);
     double left_v = leans_right ? q.v0 : q.v1, right_v = leans_right ? q.v1 : q.v0;
     WidePoint from = trim_vertex(path, i), to = trim_vertex(path, i + 1);

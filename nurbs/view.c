@@ -70,32 +70,43 @@ void view_restrict(View *v, bool along_s, Range part)
     restrict_points(v, along_s, part);
     double *start = along_s ? &v->s0 : &v->t0, *width = along_s ? &v->w_s : &v->w_t;
     *start += part.lo * *width, *width *= part.hi - part.lo;
-    /* each end that moves takes k - 1 convex combinations, of 3 roundings each */
-    double error = 0.5 * DBL_EPSILON * 3 * ((along_s ? v->k_u : v->k_v) - 1) * ((part.lo > 0) + (part.hi < 1));
+    /* each end that moves takes k - 1 convex combinations, of 3 roundings each, and so does the weight */
+    double error = 0.5 * DBL_EPSILON * 6 * ((along_s ? v->k_u : v->k_v) - 1) * ((part.lo > 0) + (part.hi < 1));
     v->lost += error * v->size, v->drift += error;
 }
 
 /* ---- bounds ---- */
 
+static double size_over_weight(const View *v)
+{
+    double size = 0;
+    for (int i = 0; i < v->k_u * v->k_v; i++)
+        size = double_max(size, double_max(fabs(v->p[i].x), fabs(v->p[i].y)) / v->p[i].w);
+    return size;
+}
+
 EVERY_X86
 ViewExtent view_extent(View *v)
 {
     ViewExtent e = { { v->p->x, v->p->x }, { v->p->y, v->p->y }, v->p->w };
+    double w_min = v->p->w;
     for (int i = 1; i < v->k_u * v->k_v; i++) {
         const Vec4 *p = &v->p[i];
         e.x.lo = double_min(p->x, e.x.lo), e.x.hi = double_max(p->x, e.x.hi);
         e.y.lo = double_min(p->y, e.y.lo), e.y.hi = double_max(p->y, e.y.hi);
-        e.w_max = double_max(p->w, e.w_max);
+        e.w_max = double_max(p->w, e.w_max), w_min = double_min(p->w, w_min);
     }
-    v->size = double_max(double_max(e.x.hi, -e.x.lo), double_max(e.y.hi, -e.y.lo));
+    double most = double_max(double_max(e.x.hi, -e.x.lo), double_max(e.y.hi, -e.y.lo));
+    v->size = e.w_max <= 2 * w_min ? most / w_min : size_over_weight(v);
     return e;
 }
 
 bool view_is_off(const View *v, double x, double y, double error)
 {
-    double least = INFINITY, length = hypot(x, y);
-    for (int i = 0; i < v->k_u * v->k_v; i++) least = double_min(least, x * v->p[i].x + y * v->p[i].y);
-    return least > error * length;
+    double far = error * hypot(x, y);
+    for (int i = 0; i < v->k_u * v->k_v; i++)
+        if (!(x * v->p[i].x + y * v->p[i].y > far * v->p[i].w)) return false;
+    return true;
 }
 
 /* A quotient of convex combinations lies between the extreme quotients of the coefficients. */

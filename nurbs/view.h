@@ -4,9 +4,10 @@
  * All that is asked of a box is computed from its own coefficients, in its own coordinates s, t in [0, 1]: where much of
  * space lies within little of the patch's parameters (weights of a large ratio), their last bits would be too coarse.
  *
- * Rounding. The first coefficients are as exact as `rounding` says (certify.h), times the weights. What restricting adds is
- * relative to the coefficients that it combines: `lost` adds it up for the plane equations, whose coefficients shrink with
- * the box, so that it stays below `rounding`; `drift` for the depth, which does not shrink. */
+ * Rounding. The first coefficients are as exact as `rounding` says (certify.h), times the weights. Restricting is a convex
+ * combination, and errs by so many units of sum B |x| <= max |x/w| sum B w: over the weight, relative to the size of the box
+ * in space. `lost` adds that up for the plane equations, and stays below `rounding` since boxes shrink; `drift` for the
+ * depth, which does not. */
 #ifndef TRIMRAY_VIEW_H
 #define TRIMRAY_VIEW_H
 
@@ -17,8 +18,8 @@ typedef struct {
     Vec4 *p;                 /* k_u * k_v coefficients, s fastest */
     double s0, t0;           /* where the box begins in the patch */
     double w_s, w_t;         /* how wide it is there: apart from s0 and t0, whose last bits may be wider */
-    double size;             /* largest |x| or |y| of the coefficients: set by view_extent */
-    double lost, drift;      /* by all restrictions so far: error of x and y; of z, relative to the patch's radius */
+    double size;             /* largest |x/w| or |y/w| of the coefficients, or up to twice that: set by view_extent */
+    double lost, drift;      /* by all restrictions so far: of x/w and y/w; of z/w, relative to the patch's radius */
 } View;
 
 typedef struct { double lo, hi; } Range;
@@ -34,7 +35,7 @@ void view_restrict(View *v, bool along_s, Range part);
 typedef struct { Range x, y; double w_max; } ViewExtent;
 ViewExtent view_extent(View *v);
 
-/* Is the box certainly beside the ray, on the side to which (x, y) points? */
+/* Is the box certainly beside the ray, on the side to which (x, y) points? `error` is over the weight. */
 bool view_is_off(const View *v, double x, double y, double error);
 
 /* Bounds of the depth. */

@@ -105,18 +105,18 @@ static _Noreturn void fail_no_value(Parser *p, const Token *name)
 
 static Term parse_word(Parser *p)
 {
-    Token name = *look(p);
-    const Builtin *b = word_of(name.text)->builtin;
+    const Builtin *b = word_of(look(p)->text)->builtin;
     const Value *v = b ? NULL : look_slot(p);
-    if (v && v->kind == VALUE_NONE) fail_no_value(p, &name);
+    if (v && v->kind == VALUE_NONE) fail_no_value(p, look(p));
     if (v) {
         Term t = term_of(p, v);
         input_take(p);
         return t;
     }
     if (!b || !b->call) parse_fail_expected(p, "an expression");
+    Place where = here(p);
     input_take(p);
-    return b->call(p, b, name.place);
+    return b->call(p, b, where);
 }
 
 /* The component that a word behind '.' means; -1: gray; -2: none. */

@@ -107,17 +107,18 @@ static void set_mark(Parser *p)
     p->mark = (Mark){ p->n_frames, f->serial, f->cursor, p->n_blocks };
 }
 
-static Token read_token(Parser *p)
+static void read_token(Parser *p, Token *out)
 {
-    Token t;
-    const char *error = lexer_read(&top_frame(p)->cursor, &p->symbols, &t);
-    if (error) parse_fail(p, t.place, "%s", error);
-    return t;
+    const char *error = lexer_read(&top_frame(p)->cursor, &p->symbols, out);
+    if (error) parse_fail(p, out->place, "%s", error);
 }
 
-static void set_ahead(Parser *p, const Token *t, bool is_raw)
+/* The token is there already. */
+static void show_ahead(Parser *p, bool is_raw)
 {
-    p->ahead = (Lookahead){ .is_full = true, .is_raw = is_raw, .token = *t };
+    p->ahead.is_full = true;
+    p->ahead.is_raw = is_raw;
+    p->ahead.element = NULL;
 }
 
 /* The value of a #declare may have been read on to the first token of the next statement. */
@@ -128,10 +129,10 @@ static void mark_ahead(Parser *p)
 }
 
 /* Shows a token that ends a value without passing it. */
-static void stop_before(Parser *p, const Token *t, Cursor before)
+static void stop_before(Parser *p, const Cursor *before)
 {
-    top_frame(p)->cursor = before;
-    set_ahead(p, t, true);
+    top_frame(p)->cursor = *before;
+    show_ahead(p, true);
 }
 
 static bool is_macro(const Token *t)
@@ -141,13 +142,13 @@ static bool is_macro(const Token *t)
 }
 
 /* Carries out the directive or macro call that begins with t. */
-static void carry_out(Parser *p, const Token *t)
+static void carry_out(Parser *p, Token t)
 {
     bool was_between = p->is_between_statements;
     p->is_between_statements = false;
-    input_deeper(p, t->place);
-    if (t->kind == TOKEN_PUNCT) directive_run(p, t->place);
-    else macro_call(p, t);
+    input_deeper(p, t.place);
+    if (t.kind == TOKEN_PUNCT) directive_run(p, t.place);
+    else macro_call(p, &t);
     input_shallower(p);
     p->is_between_statements = was_between;
 }
@@ -164,30 +165,32 @@ static bool ends_guarded_value(Parser *p, const Token *t)
     return p->last_punct == '}' || (t->kind == TOKEN_PUNCT && is_outside_of_value(p));
 }
 
+/* Each token is read into its place, not copied there. */
 void input_fill(Parser *p)
 {
+    const Token *t = &p->ahead.token;
     for (;;) {
         if (p->is_between_statements) set_mark(p);
         Cursor before = top_frame(p)->cursor;
-        Token t = read_token(p);
-        if (is_guarded(p) && ends_guarded_value(p, &t)) {
-            stop_before(p, &t, before);
+        read_token(p, &p->ahead.token);
+        if (is_guarded(p) && ends_guarded_value(p, t)) {
+            stop_before(p, &before);
             return;
         }
-        if (t.kind == TOKEN_END) {
+        if (t->kind == TOKEN_END) {
             block_check_frame_end(p);
             if (p->n_frames == 1) {
-                stop_before(p, &t, before);
+                stop_before(p, &before);
                 return;
             }
             input_pop(p);
-        } else if (is_to_carry_out(&t)) {
-            carry_out(p, &t);
+        } else if (is_to_carry_out(t)) {
+            carry_out(p, *t);
             if (p->ahead.is_full && p->is_between_statements) mark_ahead(p);
             if (p->ahead.is_full) return;
         } else {
             if (p->guard.is_on) p->before_ahead = before;
-            set_ahead(p, &t, false);
+            show_ahead(p, false);
             return;
         }
     }
@@ -221,8 +224,9 @@ void input_take(Parser *p)
 
 Token input_raw(Parser *p)
 {
-    if (!p->ahead.is_full) return read_token(p);
-    Token t = p->ahead.token;
+    Token t;
+    if (!p->ahead.is_full) return read_token(p, &t), t;
+    t = p->ahead.token;
     input_take(p);
     return t;
 }

@@ -348,7 +348,7 @@ static void place_normals(const Object *o, Attributes *at)
     at->shading_normal = is_smooth ? vec_normalize(xform_normal(&o->placement, at->shading_normal)) : at->normal;
 }
 
-void hit_attributes(const Hit *h, const Ray *world, Attributes *out)
+static void find_attributes(const Hit *h, const Ray *world, Attributes *out)
 {
     Ray room;
     const Ray *r = world;
@@ -364,4 +364,16 @@ void hit_attributes(const Hit *h, const Ray *world, Attributes *out)
     if (!is_inverse) return;
     out->normal = vec_neg(out->normal);
     out->shading_normal = vec_neg(out->shading_normal);
+}
+
+void hit_attributes(const Hit *h, const Ray *world, Attributes *out)
+{
+    out->is_without_uv = false;
+    find_attributes(h, world, out);
+}
+
+void hit_normals(const Hit *h, const Ray *world, Attributes *out)
+{
+    out->is_without_uv = true;
+    find_attributes(h, world, out);
 }

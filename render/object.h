@@ -67,5 +67,6 @@ Vec3 hit_texture_point(const Hit *h, Vec3 world);
 /* The ray and the attributes through all placements: what the primitive says, in world space. The normals are unit, turned
  * over for inverse objects, and not yet turned towards the viewer. */
 void hit_attributes(const Hit *h, const Ray *world, Attributes *out);
+void hit_normals(const Hit *h, const Ray *world, Attributes *out);   /* the same without uv */
 
 #endif

@@ -40,12 +40,12 @@ static Color map_color(const Pigment *p, Vec3 point, Vec2 uv)
     return color_lerp(pigment_color(p->entries[at.low].pigment, point, uv), high, at.share);
 }
 
-Color pigment_color(const Pigment *p, Vec3 point, Vec2 uv)
+Color pigment_color_at(const Pigment *p, Vec3 point, Vec2 uv)
 {
-    if (p->kind == PIGMENT_COLOR) return p->color;
     if (p->uv_mapping) point = vec(uv.x, uv.y, 0);
     if (p->is_moved) point = xform_unpoint(&p->space, point);
     switch (p->kind) {
+    case PIGMENT_COLOR: return p->color;
     case PIGMENT_BLOCKS: return block_color(p, point, uv);
     case PIGMENT_MAP: return map_color(p, point, uv);
     default: return image_map_at(p->image, point);

@@ -4,6 +4,7 @@
 
 #include "render/vec.h"
 
+#include <stdbool.h>
 #include <stdint.h>
 
 typedef struct Shape Shape;     /* render/shape.h */
@@ -50,6 +51,7 @@ typedef struct {
     Vec3 shading_normal;     /* what light sees: interpolated on smooth triangles, else equal to normal */
     Vec2 uv;                 /* for uv_mapping and `shoot`; NURBS: scaled to [0, 1] over the domain. A shape without any of
                                 its own leaves it alone: hit_attributes has put the world's x and y there, as POV-Ray does */
+    bool is_without_uv;      /* set by whoever asks: nobody will look at uv, and a shape may spare itself the trouble */
 } Attributes;
 
 #endif

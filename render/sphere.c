@@ -77,8 +77,9 @@ static void sphere_attributes(const Shape *shape, const Ray *r, const Hit *h, At
     static const double PI = 3.14159265358979323846;
     const Sphere *s = (const Sphere *)shape;
     Vec3 n = vec_normalize(vec_sub(ray_at(r, h->t), s->centre));
-    double u = atan2(n.z, n.x) / (2 * PI);
     out->normal = out->shading_normal = n;
+    if (out->is_without_uv) return;
+    double u = atan2(n.z, n.x) / (2 * PI);
     out->uv = vec2(u < 0 ? u + 1 : u, .5 + asin(fmax(-1, fmin(1, n.y))) / PI);
 }
 

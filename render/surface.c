@@ -13,9 +13,11 @@ static bool texture_varies(const Texture *t)
 void surface_at(const Scene *s, const Ray *r, const Hit *h, Surface *out)
 {
     Attributes a;
-    hit_attributes(h, r, &a);
     const Object *o = hit_textured_object(h);
     const Texture *texture = o ? o->texture : s->default_texture;
+    bool varies = texture_varies(texture) || (o && o->interior_texture && texture_varies(o->interior_texture));
+    if (varies) hit_attributes(h, r, &a);
+    else hit_normals(h, r, &a);
     double cosine = -vec_dot(r->dir, a.shading_normal);
     bool is_inside = cosine < 0;
     if (is_inside && o && o->interior_texture) texture = o->interior_texture;
@@ -27,7 +29,7 @@ void surface_at(const Scene *s, const Ray *r, const Hit *h, Surface *out)
     out->offset = hit_offset(h, r);
     out->texture = texture;
     out->uv = a.uv;
-    if (!texture_varies(texture)) return;
+    if (!varies) return;
     bool by_uv = texture->uv_mapping || (o && o->has_uv_mapping);
     out->texture_point = by_uv ? vec(a.uv.x, a.uv.y, 0) : hit_texture_point(h, out->point);
 }
@@ -38,9 +40,4 @@ Surface surface_with(const Surface *at, const TextureChoice *choice)
     part.texture = choice->texture;
     part.texture_point = choice->texture->uv_mapping ? vec(at->uv.x, at->uv.y, 0) : choice->point;
     return part;
-}
-
-Color surface_color(const Surface *at, const Layer *layer)
-{
-    return pigment_color(layer->pigment, at->texture_point, at->uv);
 }

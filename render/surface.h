@@ -13,7 +13,7 @@ typedef struct {
     double cos_view;             /* -dir . normal, in [0, 1] */
     double offset;               /* hit_offset's */
     const Texture *texture;
-    Vec3 texture_point;          /* only of textures that are not the same everywhere */
+    Vec3 texture_point;          /* this and uv: only of textures that are not the same everywhere */
     Vec2 uv;
 } Surface;
 
@@ -41,6 +41,9 @@ static inline double surface_stop_before(Vec3 from, Vec3 to, double distance)
 Surface surface_with(const Surface *at, const TextureChoice *choice);
 
 /* The colour of one of its layers. */
-Color surface_color(const Surface *at, const Layer *layer);
+static inline Color surface_color(const Surface *at, const Layer *layer)
+{
+    return pigment_color(layer->pigment, at->texture_point, at->uv);
+}
 
 #endif

@@ -66,7 +66,11 @@ struct Pigment {
 Pigment pigment_solid(Color c);
 void pigment_transform(Pigment *p, const Xform *x);
 /* The colour at a point of the pigment's outer space; uv is used where uv_mapping asks for it. */
-Color pigment_color(const Pigment *p, Vec3 point, Vec2 uv);
+Color pigment_color_at(const Pigment *p, Vec3 point, Vec2 uv);
+static inline Color pigment_color(const Pigment *p, Vec3 point, Vec2 uv)
+{
+    return p->kind == PIGMENT_COLOR ? p->color : pigment_color_at(p, point, uv);
+}
 bool pigment_is_opaque(const Pigment *p);            /* no filter or transmit anywhere in it */
 
 /* ---- finishes: POV-Ray's names, meanings and defaults ---- */

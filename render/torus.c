@@ -126,6 +126,7 @@ static void torus_attributes(const Shape *shape, const Ray *r, const Hit *h, Att
     double w = outer <= inner ? radial - s->major : radial + s->major;
     Vec3 n = radial > 0 ? vec(p.x / radial * w, p.y, p.z / radial * w) : vec(0, p.y, 0);
     out->normal = out->shading_normal = vec_normalize(n);
+    if (out->is_without_uv) return;
     out->uv = vec2(1 - (atan2(p.z, p.x) + PI) / (2 * PI), (atan2(p.y, radial - s->major) + PI) / (2 * PI));
 }
 

@@ -4,6 +4,7 @@
 #include "render/shape_tree.h"
 
 #include <stdbool.h>
+#include <string.h>
 
 static Arena *arena;
 
@@ -255,6 +256,27 @@ static void shapes_without_parameters_have_the_worlds_x_and_y(void **state)
     assert_true(at.uv.x == 7 && at.uv.y == 8);
 }
 
+static void normals_are_the_same_without_uv(void **state)
+{
+    (void)state;
+    Shape *const shapes[] = { ball(vec(0, 0, 0), 1), torus_new(arena, 1, .4),
+                              box_shape_new(arena, vec(-1, -1, -1), vec(1, 1, 1)) };
+    TestRandom random = test_random(8);
+    for (int i = 0; i < 300; i++) {
+        Object *o = object_new(arena, shapes[i % 3]);
+        move(o, xform_scale(vec(test_range(&random, .5, 2), 1, test_range(&random, .5, 2))));
+        Ray r = { vec(test_range(&random, -.5, .5), test_range(&random, -.2, .2), -5), vec(0, 0, 1), 0 };
+        Hit h;
+        Attributes all, normals;
+        if (!hit_of(&o->shape, &r, &h)) continue;
+        hit_attributes(&h, &r, &all);
+        hit_normals(&h, &r, &normals);
+        CHECK(memcmp(&all.normal, &normals.normal, sizeof all.normal) == 0, "case %d", i);
+        CHECK(memcmp(&all.shading_normal, &normals.shading_normal, sizeof all.normal) == 0, "case %d", i);
+        CHECK(!all.is_without_uv && normals.is_without_uv, "case %d", i);
+    }
+}
+
 static void a_copy_shares_geometry_and_nothing_else(void **state)
 {
     (void)state;
@@ -399,6 +421,7 @@ int main(void)
         cmocka_unit_test(textures_move_with_what_is_written_after_them),
         cmocka_unit_test(an_inverse_object_turns_its_normals_over),
         cmocka_unit_test(shapes_without_parameters_have_the_worlds_x_and_y),
+        cmocka_unit_test(normals_are_the_same_without_uv),
         cmocka_unit_test(a_copy_shares_geometry_and_nothing_else),
         cmocka_unit_test(deep_trees_are_kept_within_a_hits_chain),
         cmocka_unit_test(a_union_is_its_parts),

@@ -150,7 +150,7 @@ static void check_normal(const Solid *s, const Ray *r, TestRandom *random, const
     Hit h;
     (void)random;
     if (!hit_of(s->shape, r, &h)) return;
-    Attributes at;
+    Attributes at = { .is_without_uv = false };
     s->shape->type->attributes(s->shape, r, &h, &at);
     CHECK_WITHIN(fabs(vec_length(at.normal) - 1), 4 * 0x1p-53, "%s", where);
     Real step = 1e-4L * s->size, far;
@@ -173,7 +173,7 @@ static void check_no_self_hit(const Solid *s, const Ray *r, TestRandom *random, 
 {
     Hit h, second;
     if (!hit_of(s->shape, r, &h)) return;
-    Attributes at;
+    Attributes at = { .is_without_uv = false };
     s->shape->type->attributes(s->shape, r, &h, &at);
     Vec3 point = ray_at(r, h.t);
     for (int way = -1; way <= 1; way += 2) {
@@ -182,7 +182,7 @@ static void check_no_self_hit(const Solid *s, const Ray *r, TestRandom *random, 
         if (test_int(random, 0, 3) == 0) dir = vec_add(dir, vec_scale(n, -.9999 * vec_dot(dir, n)));      /* grazing */
         Ray next = { vec_add(point, vec_scale(n, hit_offset(&h, r))), vec_scale(dir, any_size(random, 3)), 0 };
         if (!hit_of(s->shape, &next, &second)) continue;
-        Attributes other;
+        Attributes other = { .is_without_uv = false };
         s->shape->type->attributes(s->shape, &next, &second, &other);
         if (s->kind == SPINDLE && second.t * vec_length(next.dir) > 1e-3 * s->size) continue;   /* the other sheet */
         double facing = way * vec_dot(other.normal, dir);
@@ -241,7 +241,7 @@ static Vec3 normal_of(const Shape *s, Vec3 origin, Vec3 dir)
     Hit h;
     Ray r = { origin, dir, 0 };
     CHECK(hit_of(s, &r, &h), "no hit");
-    Attributes at;
+    Attributes at = { .is_without_uv = false };
     s->type->attributes(s, &r, &h, &at);
     return at.normal;
 }
@@ -307,7 +307,7 @@ static void a_box_unfolds_to_povrays_cross(void **state)
     for (int i = 0; i < 6; i++) {
         Ray r = { vec_sub(vec(.25, .5, .75), vec_scale(faces[i].dir, 5)), faces[i].dir, 0 };
         Hit h;
-        Attributes at;
+        Attributes at = { .is_without_uv = false };
         assert_true(hit_of(b, &r, &h));
         b->type->attributes(b, &r, &h, &at);
         CHECK_WITHIN(vec2_length(vec2_sub(at.uv, faces[i].uv)), 1e-15, "face %d: %g %g", i, at.uv.x, at.uv.y);
@@ -389,7 +389,7 @@ static void torus_and_sphere_have_povrays_uv(void **state)
 {
     (void)state;
     static const double PI = 3.14159265358979323846;
-    Attributes at;
+    Attributes at = { .is_without_uv = false };
     Hit h;
     Shape *ball = sphere_new(arena, vec(1, 2, 3), 2), *torus = torus_new(arena, 3, 1);
     Ray r = { vec(1 + 5 * cos(.7) * cos(2.5), 2 + 5 * sin(.7), 3 + 5 * cos(.7) * sin(2.5)), vec(0, 0, 0), 0 };
@@ -443,7 +443,7 @@ static void smooth_triangles_blend_their_normals(void **state)
     Shape *s = smooth_triangle_new(arena, p, n);
     Ray r = { vec(1, 2, -5), vec(0, 0, 1), 0 };
     Hit h;
-    Attributes at;
+    Attributes at = { .is_without_uv = false };
     assert_true(hit_of(s, &r, &h) && h.u == .25 && h.v == .5);
     s->type->attributes(s, &r, &h, &at);
     double q = sqrt(.5);

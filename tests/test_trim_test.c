@@ -461,6 +461,33 @@ static void a_loop_of_a_million_pieces_is_tested_as_any_other(void **state)
     arena_free(a);
 }
 
+/* Rectangles that end at the height of one of the circle's extreme points, where the arcs' boxes do. */
+static void a_rectangle_beside_an_arcs_end_is_not_mixed(void **state)
+{
+    (void)state;
+    for (unsigned seed = 0; seed < 2000; seed++) {
+        TestRandom r = test_random(seed);
+        Arena *a = arena_new();
+        Vec2 c = vec2(test_range(&r, .3, .7), test_range(&r, .3, .7));
+        double radius = test_range(&r, .05, .25);
+        TrimLoopDesc loop = circle(a, c, radius, seed & 1);
+        Made m = make_of(a, &loop, 1);
+        for (int i = 0; i < 20; i++) {
+            const double heights[] = { c.y - radius, c.y, c.y + radius };
+            double h = heights[test_int(&r, 0, 2)] + test_int(&r, -1, 1) * 0x1p-53, w = pow(10, test_range(&r, -16, -9));
+            double away = pow(10, test_range(&r, -7, -1.5)) * (2 * test_int(&r, 0, 1) - 1);
+            double u = c.x + (fabs(h - c.y) < radius / 2 ? radius * (2 * test_int(&r, 0, 1) - 1) : 0) + away;
+            bool is_below = test_int(&r, 0, 1);
+            TrimRect rect = { u, u + w, is_below ? h - w : h, is_below ? h : h + w };
+            double x = u - c.x, y = h - c.y, beyond = (x * x + y * y - radius * radius) / (2 * radius);
+            if (fabs(beyond) < 4 * w + 1e-15) continue;
+            TrimClass class = trim_class(m.tree, rect), truth = (beyond < 0) == (seed & 1) ? TRIM_KEPT : TRIM_CUT;
+            CHECK(class == truth, "seed %u: class %d, %g from the edge, w %g", seed, class, beyond, w);
+        }
+        arena_free(a);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -475,6 +502,7 @@ int main(void)
         cmocka_unit_test(no_point_falls_between_two_regions),
         cmocka_unit_test(a_class_agrees_with_all_points_of_the_rectangle),
         cmocka_unit_test(a_rectangle_that_no_trim_meets_is_not_mixed),
+        cmocka_unit_test(a_rectangle_beside_an_arcs_end_is_not_mixed),
         cmocka_unit_test(a_circle_keeps_what_the_circle_encloses),
         cmocka_unit_test(a_polyline_is_the_same_as_its_sides_as_curves),
         cmocka_unit_test(a_loop_of_a_million_pieces_is_tested_as_any_other),

@@ -91,15 +91,31 @@ static void border_distance(const Line *l, Quad s0, Quad s1, Quad *least, Quad *
 
 typedef struct { Quad s, lo, hi; } Event;
 
+/* The distance that a trim tells of may be that to an edge which is but nearly the nearest: it changes by at most so much in
+ * the length of a step. */
+#define KEPT_SLOPE 4
+
+/* Is sign times what the trim says anywhere from s0 to s1 more than -least? Slivers may lie between any two places, so these
+ * are halved until what is known at the ends decides, or they are as near as a fraction of `least`. */
+static bool trim_reaches(const Line *l, int sign, Quad s0, Quad at_s0, Quad s1, Quad at_s1, Quad least)
+{
+    if (at_s0 >= -least || at_s1 >= -least) return true;
+    Quad length = KEPT_SLOPE * (s1 - s0);
+    if ((at_s0 + at_s1 + length) / 2 < -least) return false;
+    if (length < least / 8) return true;
+    Quad middle = (s0 + s1) / 2, at_middle = sign * l->f->kept(l->f->kept_context, line_at(l, middle));
+    return trim_reaches(l, sign, s0, at_s0, middle, at_middle, least)
+        || trim_reaches(l, sign, middle, at_middle, s1, at_s1, least);
+}
+
 /* The distance to a trim's edge is known in local coordinates only: the band there is what the map makes of it at most. */
-static void kept_distance(const Line *l, const Event *e, Quad *least, Quad *most)
+static void find_trims(const Line *l, const Event *e, bool *is_kept, bool *is_clear)
 {
     const QuadMap *m = &l->f->to_local;
     Quad stretch = quad_max(quad3_length(m->x), quad_max(quad3_length(m->y), quad3_length(m->z))) * 2;
-    Quad a = l->f->kept(l->f->kept_context, line_at(l, e->lo)) / stretch;
-    Quad b = l->f->kept(l->f->kept_context, line_at(l, e->s)) / stretch;   /* slivers may lie between the ends */
-    Quad c = l->f->kept(l->f->kept_context, line_at(l, e->hi)) / stretch;
-    *least = quad_min(*least, quad_min(a, quad_min(b, c))), *most = quad_min(*most, quad_max(a, quad_max(b, c)));
+    Quad a = l->f->kept(l->f->kept_context, line_at(l, e->lo)), b = l->f->kept(l->f->kept_context, line_at(l, e->hi));
+    *is_kept = trim_reaches(l, 1, e->lo, a, e->hi, b, l->band * stretch);
+    *is_clear = !trim_reaches(l, -1, e->lo, -a, e->hi, -b, l->band * stretch);
 }
 
 static Event root_event(const Line *l, Quad s)
@@ -117,11 +133,13 @@ static long double t_of(const Line *l, Quad s) { return (long double)((l->centre
 static void add_event(const Line *l, const Event *e, Truth *out)
 {
     Quad least, most;
+    bool is_kept = true, is_clear = true;
     border_distance(l, e->lo, e->hi, &least, &most);
-    if (l->f->kept) kept_distance(l, e, &least, &most);
-    if (most < -l->band) return;
+    if (l->f->kept) find_trims(l, e, &is_kept, &is_clear);
+    if (most < -l->band || !is_kept) return;
     bool is_odd = (poly_at(&l->g, e->lo) < 0) != (poly_at(&l->g, e->hi) < 0);
-    truth_add(out, (TruthRoot){ t_of(l, e->s), t_of(l, e->lo), t_of(l, e->hi), is_odd, least > l->band, false });
+    truth_add(out, (TruthRoot){ t_of(l, e->s), t_of(l, e->lo), t_of(l, e->hi), is_odd, is_clear && least > l->band,
+                               false });
 }
 
 /* Joins e with those that it overlaps; returns how many there are then. */

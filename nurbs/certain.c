@@ -64,7 +64,7 @@ static bool keep_tile(Preparation *k, uint32_t at, const Vec4 *net, const Part *
     Box hull = box_moved(bezier_hull(s->k_u * s->k_v, net), vec_add(part->patch->origin, k->to_bvh));
     k->nodes[at] = (BvhNode){ box_expand(hull, 2 * k->rounding), (uint32_t)k->n_tiles, 1 };
     tile_make(part->patch, net, part->place, &ARENA_PUSH(k->lists, k->tiles, k->n_tiles, k->tiles_capacity));
-    ARENA_PUSH(k->lists, k->cells, k->n_cells, k->cells_capacity) = cell;
+    if (s->trims) ARENA_PUSH(k->lists, k->cells, k->n_cells, k->cells_capacity) = cell;
     return true;
 }
 
@@ -183,6 +183,7 @@ void certain_prepare(Arena *a, const Surface *surface, double variation, TileTre
 {
     Preparation k = { .own = a, .lists = arena_new(), .rounding = rounding_of_patches(surface) };
     k.variation = (variation > 0 ? variation : CERTAIN_VARIATION) * coarseness(surface);
+    size_t used = arena_used(a);
     Vec3 base = box_centre(surface->box), nowhere = { 0, 0, 0 };
     bool is_far = vec_max_abs(base) > FAR_OFF * box_diagonal(surface->box);
     k.to_bvh = is_far ? nowhere : base;
@@ -196,10 +197,11 @@ void certain_prepare(Arena *a, const Surface *surface, double variation, TileTre
     bool has_any = grow_spans(&k, root, all);
     *out = (TileTree){ .base = base, .bvh_base = is_far ? base : nowhere,
                         .tiles = arena_copy(a, k.tiles, k.n_tiles, sizeof *k.tiles),
-                        .cells = arena_copy(a, k.cells, k.n_cells, sizeof *k.cells),
+                        .cells = s->trims ? arena_copy(a, k.cells, k.n_cells, sizeof *k.cells) : NULL,
                         .n_tiles = (uint32_t)k.n_tiles,
                         .bvh = bvh_from_tree(a, k.nodes, has_any ? (uint32_t)k.n_nodes : 0),
                         .n_cut = k.n_cut, .n_untested = k.n_untested };
+    out->bytes = arena_used(a) - used;
     arena_free(k.lists);
 }
 
@@ -256,7 +258,7 @@ static bool accept_root(void *context, const Tile *f, PatchRay *ray, const Root 
     Counters *count = &k->trace->counters;
     count->nurbs_hits++;
     double u = patch_u(f->patch, root->s), v = patch_v(f->patch, root->t);
-    const TrimCell *cell = k->tree->cells[k->tile];
+    const TrimCell *cell = k->tree->cells ? k->tree->cells[k->tile] : NULL;
     if (cell) {
         count->trim_tests++;
         if (!trim_cell_keeps(cell, u, v) && !is_near_trim(k->s->trims, f, ray->d, root, u, v)) return false;

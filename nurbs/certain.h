@@ -10,10 +10,11 @@
 typedef struct {
     Vec3 base;                       /* what is below is about this point: far from the origin nothing is lost */
     const Tile *tiles;
-    const TrimCell *const *cells;    /* what the trims say in each tile; NULL: it is wholly kept */
+    const TrimCell *const *cells;    /* what the trims say in each tile; NULL: it is wholly kept. NULL: all tiles are */
     uint32_t n_tiles;
     const Bvh *bvh;                  /* item i is tiles[i] */
     Vec3 bvh_base;                   /* its boxes are about this point: 0, or the base of a surface that is far off */
+    size_t bytes;                    /* of all this, as it was prepared */
     uint32_t n_cut, n_untested;      /* dropped because trimmed away; kept without a trim test on a trimmed surface */
 } TileTree;
 

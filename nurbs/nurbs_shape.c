@@ -56,10 +56,10 @@ static bool certain_shape_blocks(const Shape *s, const Ray *r, double t_max, Tra
 }
 
 /* Boxes about a base of their own belong into no other tree. */
-static const Bvh *certain_shape_lend(Shape *s, Trace *t)
+static const Bvh *certain_shape_lend(Shape *s, Arena *own, Trace *t)
 {
     const NurbsShape *n = (const NurbsShape *)s;
-    shape_prepare(s, t);
+    shape_prepare_in(s, own, t);
     return vec_max_abs(n->tiles.bvh_base) == 0 ? n->tiles.bvh : NULL;
 }
 
@@ -168,7 +168,7 @@ bool nurbs_shape_info(const Shape *shape, NurbsInfo *out)
     out->n_leaves_trimmed_away = (int)(is_paper ? n->leaves.n_cut : n->tiles.n_cut);
     out->n_leaves_untested = (int)(is_paper ? n->leaves.n_untested : n->tiles.n_untested);
     out->prep_seconds = n->prep_seconds;
-    out->bytes = arena_bytes(shape->own);
+    out->bytes = shape->own ? arena_bytes(shape->own) : n->tiles.bytes;
     return true;
 }
 

@@ -173,3 +173,10 @@ void arena_reset(Arena *a, ArenaMark mark)
 }
 
 size_t arena_bytes(const Arena *a) { return a->bytes; }
+
+size_t arena_used(const Arena *a)
+{
+    size_t used = 0;
+    for (const Block *b = a->newest; b; b = b->older) used += b->used;
+    return used;
+}

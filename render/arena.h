@@ -32,6 +32,7 @@ void *arena_grow(Arena *a, void *array, size_t n, size_t *capacity, size_t size)
 ArenaMark arena_mark(const Arena *a);
 void arena_reset(Arena *a, ArenaMark mark);        /* gives back everything allocated since the mark */
 size_t arena_bytes(const Arena *a);                /* bytes held from malloc */
+size_t arena_used(const Arena *a);                 /* of these, allocated since */
 
 #define ARENA_NEW(a, T) ((T *)arena_zalloc((a), 1, sizeof(T)))
 #define ARENA_ARRAY(a, T, n) ((T *)arena_alloc((a), (size_t)(n), sizeof(T)))

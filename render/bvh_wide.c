@@ -20,7 +20,7 @@
 #define TINY 0x1p-60
 
 typedef struct {
-    float side[2][3][WIDTH];       /* lo and hi by axis; children that do not exist: lo +inf, hi -inf */
+    _Alignas(64) float side[2][3][WIDTH];       /* lo and hi by axis; children that do not exist: lo +inf, hi -inf */
     uint32_t child[WIDTH];         /* a node, or IS_ITEM and an item */
     uint32_t n_children, exists;   /* exists: a bit for each */
 } WideNode;

@@ -92,10 +92,10 @@ static bool object_blocks(const Shape *shape, const Ray *r, double t_max, Trace 
 
 /* ---- the tree of what is within an object that does not move it ---- */
 
-static const Bvh *object_lend(Shape *shape, Trace *t)
+static const Bvh *object_lend(Shape *shape, Arena *own, Trace *t)
 {
     const Object *o = (const Object *)shape;
-    return o->is_placed || !o->child->type->lend ? NULL : o->child->type->lend(o->child, t);
+    return o->is_placed || !o->child->type->lend ? NULL : o->child->type->lend(o->child, own, t);
 }
 
 static bool object_hit_item(const Shape *shape, uint32_t item, const Ray *r, Hit *best, Trace *t)

@@ -36,16 +36,20 @@ static void announce(Shape *s)
     pthread_mutex_unlock(&prepare_lock);
 }
 
-void shape_prepare(Shape *s, Trace *t)
+/* own NULL: in an arena of its own. */
+static void prepare(Shape *s, Arena *own, Trace *t)
 {
     if (shape_was_prepared(s) || !claim(s)) return;
     double begun = stats_now(), counted = t->counters.prep_seconds;
-    s->own = arena_new();
-    s->type->prepare(s, s->own, t);
+    s->own = own ? NULL : arena_new();
+    s->type->prepare(s, own ? own : s->own, t);
     double within = t->counters.prep_seconds - counted;
     t->counters.prep_seconds += stats_now() - begun - within;
     announce(s);
 }
+
+void shape_prepare(Shape *s, Trace *t) { prepare(s, NULL, t); }
+void shape_prepare_in(Shape *s, Arena *own, Trace *t) { prepare(s, own, t); }
 
 bool shape_was_prepared(const Shape *s) { return atomic_load_explicit(&s->state, memory_order_acquire) == SHAPE_READY; }
 

@@ -40,8 +40,9 @@ typedef struct {
     bool (*hit)       (const Shape *s, const Ray *r, Hit *best, Trace *t);    /* nearest in (r->t_min, best->t) */
     bool (*blocks)    (const Shape *s, const Ray *r, double t_max, Trace *t); /* any in (r->t_min, t_max); NULL: by hit() */
     /* Its own tree of boxes, to be joined with others into the tree of a compound around it, so that a ray walks one tree and
-     * not two; prepares it. The compound then asks for its items one by one: as hit() and blocks(). NULL: it has none. */
-    const Bvh *(*lend)(Shape *s, Trace *t);
+     * not two; prepares it, as shape_prepare_in. The compound then asks for its items one by one: as hit() and blocks().
+     * NULL: it has none. */
+    const Bvh *(*lend)(Shape *s, Arena *own, Trace *t);
     bool (*hit_item)  (const Shape *s, uint32_t item, const Ray *r, Hit *best, Trace *t);
     bool (*item_blocks)(const Shape *s, uint32_t item, const Ray *r, double t_max, Trace *t);
     void (*all_hits)  (const Shape *s, const Ray *r, HitList *out, Trace *t); /* appends, by t; NULL: hit() repeated */
@@ -66,7 +67,7 @@ struct Shape {
     uint32_t n_primitives;        /* counted for Hit.index: 1, or the sum over a compound's parts */
     _Atomic int state;            /* SHAPE_RAW, being prepared, SHAPE_READY: see shape_prepare */
     uint32_t depth;               /* the most objects between it and a primitive below, itself included; 0: no object */
-    Arena *own;                   /* what prepare() filled; freed by shape_release */
+    Arena *own;                   /* what prepare() filled; freed by shape_release. NULL: it is a compound's */
 };
 enum { SHAPE_RAW, SHAPE_BUSY, SHAPE_READY };
 
@@ -76,6 +77,9 @@ void shape_init(Shape *s, const ShapeType *type);
 /* Runs s->type->prepare exactly once, whichever thread comes first; the others wait. Its time goes to
  * t->counters.prep_seconds, less that of shapes prepared within it. */
 void shape_prepare(Shape *s, Trace *t);
+/* The same in the arena of a compound around it, beside its neighbours there, until the compound is released with all that
+ * is in it. */
+void shape_prepare_in(Shape *s, Arena *own, Trace *t);
 bool shape_was_prepared(const Shape *s);       /* did any ray ever reach it? for --stats: what was left out */
 void shape_release(Shape *s);                  /* type->release, then the arena of prepare() */
 

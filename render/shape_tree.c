@@ -66,12 +66,12 @@ static bool is_unbounded(const ShapeTree *tree, uint32_t part)
 }
 
 /* The tree of each part that lends one, and the boxes of the others; the number of parts that do. */
-static uint32_t borrow_trees(const ShapeTree *tree, const Bvh **lent, Box *boxes, Trace *t)
+static uint32_t borrow_trees(const ShapeTree *tree, Arena *own, const Bvh **lent, Box *boxes, Trace *t)
 {
     uint32_t n_lent = 0;
     for (uint32_t i = 0; i < tree->n; i++) {
         Shape *s = (Shape *)tree->parts[i].shape;    /* preparing it is the one change that is made to a shape */
-        lent[i] = s->type->lend ? s->type->lend(s, t) : NULL;
+        lent[i] = s->type->lend ? s->type->lend(s, own, t) : NULL;
         boxes[i] = lent[i] ? bvh_bounds(lent[i]) : is_unbounded(tree, i) ? box_empty() : shape_bounds(s);
         n_lent += lent[i] != NULL;
     }
@@ -84,7 +84,7 @@ void shape_tree_join(ShapeTree *tree, Arena *a, Trace *t)
     const Bvh **lent = ARENA_ARRAY(scratch, const Bvh *, tree->n);
     Box *boxes = ARENA_ARRAY(scratch, Box, tree->n);
     uint32_t *first = ARENA_ARRAY(scratch, uint32_t, tree->n), n_items = 0;
-    if (borrow_trees(tree, lent, boxes, t) > 0) {
+    if (borrow_trees(tree, a, lent, boxes, t) > 0) {
         for (uint32_t i = 0; i < tree->n; i++) first[i] = n_items, n_items += lent[i] ? bvh_item_count(lent[i]) : 1;
         Item *items = ARENA_ARRAY(a, Item, n_items);
         for (uint32_t i = 0; i < tree->n; i++)

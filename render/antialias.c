@@ -17,14 +17,20 @@ typedef struct {
 
 /* ---- colours ---- */
 
+/* A colour, and as it is compared: found once, for it is compared with several. */
+typedef struct { Pixel value, seen; } Look;
+
 static double as_seen(double c, double gamma) { return gamma == 1 ? fmax(c, 0) : pow(fmax(c, 0), 1 / gamma); }
 
-static bool differ(const Antialias *a, const Pixel *p, const Pixel *q)
+static Look look_of(const Antialias *a, Pixel p)
 {
-    double distance = fabs(as_seen(p->r, a->gamma) - as_seen(q->r, a->gamma)) +
-                      fabs(as_seen(p->g, a->gamma) - as_seen(q->g, a->gamma)) +
-                      fabs(as_seen(p->b, a->gamma) - as_seen(q->b, a->gamma)) + fabs(p->transmit - q->transmit);
-    return distance >= a->threshold;
+    return (Look){ p, { as_seen(p.r, a->gamma), as_seen(p.g, a->gamma), as_seen(p.b, a->gamma), p.transmit } };
+}
+
+static bool differ(const Antialias *a, const Look *x, const Look *y)
+{
+    const Pixel *p = &x->seen, *q = &y->seen;
+    return fabs(p->r - q->r) + fabs(p->g - q->g) + fabs(p->b - q->b) + fabs(p->transmit - q->transmit) >= a->threshold;
 }
 
 static void add(Pixel *sum, const Pixel *p) { sum->r += p->r, sum->g += p->g, sum->b += p->b, sum->transmit += p->transmit; }
@@ -51,30 +57,30 @@ static Pixel sample_near(const Block *b, double x, double y, double spacing)
 
 /* ---- method 1 ---- */
 
-typedef struct { Pixel value; bool is_done; } Cell;
+typedef struct { Look look; bool is_done; } Cell;
 
 static void refine(const Block *b, Cell *c, int x, int y)
 {
     int n = b->options->depth;
+    Pixel sum = c->look.value;
     for (int j = 0; j < n; j++)
         for (int i = 0; i < n; i++) {
             Pixel p = sample_near(b, x - .5 + (i + .5) / n, y - .5 + (j + .5) / n, 1. / n);
-            add(&c->value, &p);
+            add(&sum, &p);
         }
-    c->value = scaled(c->value, 1. / (n * n + 1));
-    c->is_done = true;
+    *c = (Cell){ look_of(b->options, scaled(sum, 1. / (n * n + 1))), true };
 }
 
 static Cell first_look(const Block *b, int x, int y, bool is_border)
 {
-    return (Cell){ b->sample(b->context, x, y), is_border };
+    return (Cell){ look_of(b->options, b->sample(b->context, x, y)), is_border };
 }
 
 static void look_at(const Block *b, Cell *here, Cell *left, Cell *above, int x, int y)
 {
     *here = first_look(b, x, y, false);
-    bool differs_left = differ(b->options, &here->value, &left->value);
-    bool differs_above = differ(b->options, &here->value, &above->value);
+    bool differs_left = differ(b->options, &here->look, &left->look);
+    bool differs_above = differ(b->options, &here->look, &above->look);
     if (differs_left && !left->is_done) refine(b, left, x - 1, y);
     if (differs_above && !above->is_done) refine(b, above, x, y - 1);
     if (differs_left || differs_above) refine(b, here, x, y);
@@ -96,7 +102,7 @@ static void method_1(const Block *b, Arena *scratch, Pixel *out, size_t stride)
     }
     for (int j = 0; j < b->height; j++)
         for (int i = 0; i < b->width; i++)
-            out[(size_t)j * stride + (size_t)i] = cells[across * ((size_t)j + 1) + (size_t)i + 1].value;
+            out[(size_t)j * stride + (size_t)i] = cells[across * ((size_t)j + 1) + (size_t)i + 1].look.value;
 }
 
 /* ---- method 2 ---- */
@@ -105,21 +111,22 @@ static void method_1(const Block *b, Arena *scratch, Pixel *out, size_t stride)
 typedef struct {
     const Block *block;
     int x, y, n;                 /* the pixel; n intervals a side */
-    Pixel *values;
+    Look *looks;
     bool *is_known;
 } Grid;
 
-static const Pixel *grid_at(const Grid *g, int i, int j)
+static const Look *grid_at(const Grid *g, int i, int j)
 {
     size_t k = (size_t)j * ((size_t)g->n + 1) + (size_t)i;
     if (!g->is_known[k]) {
-        g->values[k] = sample_near(g->block, g->x - .5 + (double)i / g->n, g->y - .5 + (double)j / g->n, 1. / g->n);
+        Pixel p = sample_near(g->block, g->x - .5 + (double)i / g->n, g->y - .5 + (double)j / g->n, 1. / g->n);
+        g->looks[k] = look_of(g->block->options, p);
         g->is_known[k] = true;
     }
-    return &g->values[k];
+    return &g->looks[k];
 }
 
-static bool any_differ(const Antialias *a, const Pixel *const corner[4])
+static bool any_differ(const Antialias *a, const Look *const corner[4])
 {
     for (int i = 0; i < 4; i++)
         for (int j = 0; j < i; j++)
@@ -130,26 +137,26 @@ static bool any_differ(const Antialias *a, const Pixel *const corner[4])
 /* The mean over the square of `size` intervals at (i, j). */
 static Pixel square_mean(const Grid *g, int i, int j, int size)
 {
-    const Pixel *const corner[4] = { grid_at(g, i, j), grid_at(g, i + size, j), grid_at(g, i, j + size),
-                                     grid_at(g, i + size, j + size) };
+    const Look *const corner[4] = { grid_at(g, i, j), grid_at(g, i + size, j), grid_at(g, i, j + size),
+                                    grid_at(g, i + size, j + size) };
     Pixel sum = { 0 };
     bool is_divided = size > 1 && any_differ(g->block->options, corner);
     for (int k = 0; k < 4; k++) {
         int half = size / 2;
-        Pixel p = is_divided ? square_mean(g, i + k % 2 * half, j + k / 2 * half, half) : *corner[k];
+        Pixel p = is_divided ? square_mean(g, i + k % 2 * half, j + k / 2 * half, half) : corner[k]->value;
         add(&sum, &p);
     }
     return scaled(sum, .25);
 }
 
 /* `above` and `below` point to the pixel's two corners each. */
-static Pixel divide_pixel(Grid *g, int x, int y, const Pixel *above, const Pixel *below)
+static Pixel divide_pixel(Grid *g, int x, int y, const Look *above, const Look *below)
 {
     size_t last = (size_t)g->n, bottom = last * (last + 1);
     const size_t places[4] = { 0, last, bottom, bottom + last };
-    const Pixel corner[4] = { above[0], above[1], below[0], below[1] };
+    const Look *const corner[4] = { &above[0], &above[1], &below[0], &below[1] };
     memset(g->is_known, 0, (bottom + last + 1) * sizeof *g->is_known);
-    for (int k = 0; k < 4; k++) g->values[places[k]] = corner[k], g->is_known[places[k]] = true;
+    for (int k = 0; k < 4; k++) g->looks[places[k]] = *corner[k], g->is_known[places[k]] = true;
     g->x = x, g->y = y;
     return square_mean(g, 0, 0, g->n);
 }
@@ -159,16 +166,18 @@ static void method_2(const Block *b, Arena *scratch, Pixel *out, size_t stride)
 {
     int n = 1 << (b->options->depth - 1);
     size_t across = (size_t)b->width + 1, n_places = ((size_t)n + 1) * ((size_t)n + 1);
-    Pixel *corners = ARENA_ARRAY(scratch, Pixel, across * ((size_t)b->height + 1));
+    Look *corners = ARENA_ARRAY(scratch, Look, across * ((size_t)b->height + 1));
     Grid g = { .block = b, .n = n };
-    g.values = ARENA_ARRAY(scratch, Pixel, n_places);
+    g.looks = ARENA_ARRAY(scratch, Look, n_places);
     g.is_known = ARENA_ARRAY(scratch, bool, n_places);
     for (int j = 0; j <= b->height; j++)
-        for (int i = 0; i <= b->width; i++)
-            corners[(size_t)j * across + (size_t)i] = sample_near(b, b->x0 + i - .5, b->y0 + j - .5, 1. / n);
+        for (int i = 0; i <= b->width; i++) {
+            Pixel p = sample_near(b, b->x0 + i - .5, b->y0 + j - .5, 1. / n);
+            corners[(size_t)j * across + (size_t)i] = look_of(b->options, p);
+        }
     for (int j = 0; j < b->height; j++)
         for (int i = 0; i < b->width; i++) {
-            const Pixel *above = corners + (size_t)j * across + (size_t)i;
+            const Look *above = corners + (size_t)j * across + (size_t)i;
             out[(size_t)j * stride + (size_t)i] = divide_pixel(&g, b->x0 + i, b->y0 + j, above, above + across);
         }
 }

@@ -292,7 +292,7 @@ static bool visit_tile(void *context, uint32_t i, const Ray *r, double *t_max, T
     Search *k = context;
     (void)r;
     k->t_max = t_max, k->tile = i, k->trace = t;
-    t->counters.nurbs_tests++;
+    t->counters.leaf_tests++;
     double begin = t->measures_time ? stats_now() : 0;
     bool ended = tile_roots(&k->tree->tiles[i], &k->ray, accept_root, k, t);
     if (t->measures_time) t->counters.nurbs_seconds += stats_now() - begin;

@@ -210,7 +210,7 @@ ALWAYS_INLINE bool set_up(Solve *k)
 /* At most one root: Newton's method, from the parallelogram's or from where the ray comes from. */
 ALWAYS_INLINE bool solve_one(Solve *k, RootVisit visit, void *context, Trace *trace)
 {
-    trace->counters.certificates++;
+    trace->counters.certificates++, trace->counters.nurbs_tests++;
     const Tile *f = k->tile;
     if (k->r->guess == f) k->s = (k->r->guess_s - f->s0) / f->ds, k->t = (k->r->guess_t - f->t0) / f->dt;
     switch (newton(k, trace)) {
@@ -234,6 +234,12 @@ ALWAYS_INLINE FrameResult meet_tile(Solve *k, const Tile *tile, PatchRay *r)
 
 typedef struct { const Tile *tile; int doubts; } Doubt;
 
+static bool clip_in_doubt(const Tile *tile, PatchRay *r, RootVisit visit, void *context, Trace *trace)
+{
+    trace->counters.nurbs_tests++;
+    return clip_roots(tile, r, visit, context, trace);
+}
+
 /* All roots of a tile in doubt. */
 EVERY_X86
 static bool roots_in_doubt(const Tile *tile, PatchRay *r, RootVisit visit, void *context, Trace *trace)
@@ -247,13 +253,13 @@ static bool roots_in_doubt(const Tile *tile, PatchRay *r, RootVisit visit, void 
         for (int i = 0; i < 2 && halves; i++) is[i] = meet_tile(&k[i], &halves[i], r);
         bool is_stuck = is[0] == FRAME_UNDECIDED && is[1] == FRAME_UNDECIDED && d.doubts-- == 0;
         if (!halves || is_stuck) {
-            if (clip_roots(d.tile, r, visit, context, trace)) return true;
+            if (clip_in_doubt(d.tile, r, visit, context, trace)) return true;
             continue;
         }
         for (int i = 0; i < 2; i++) {
             bool ended = false;
             if (is[i] == FRAME_UNDECIDED) stack[top++] = (Doubt){ &halves[i], d.doubts };
-            if (is[i] == FRAME_HOPELESS) ended = clip_roots(&halves[i], r, visit, context, trace);
+            if (is[i] == FRAME_HOPELESS) ended = clip_in_doubt(&halves[i], r, visit, context, trace);
             if (is[i] == FRAME_ONE_AT_MOST) ended = solve_one(&k[i], visit, context, trace);
             if (ended) return true;
         }
@@ -268,7 +274,7 @@ bool tile_roots(const Tile *tile, PatchRay *r, RootVisit visit, void *context, T
     switch (meet_tile(&k, tile, r)) {
     case FRAME_MISS: return false;
     case FRAME_UNDECIDED: break;
-    case FRAME_HOPELESS: return clip_roots(tile, r, visit, context, trace);
+    case FRAME_HOPELESS: return clip_in_doubt(tile, r, visit, context, trace);
     case FRAME_ONE_AT_MOST: return solve_one(&k, visit, context, trace);
     }
     return roots_in_doubt(tile, r, visit, context, trace);

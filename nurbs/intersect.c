@@ -28,7 +28,7 @@ static bool solve(Search *search, const Leaf *leaf, uint64_t seed, NewtonRoot *r
 {
     bool is_root = newton_solve(search->s, leaf, &search->ray, search->max_iterations, seed, &t->counters,
                                 root) == NEWTON_ROOT;
-    t->counters.nurbs_tests++;
+    t->counters.leaf_tests++, t->counters.nurbs_tests++;
     t->counters.nurbs_hits += is_root;
     return is_root;
 }

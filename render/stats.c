@@ -12,6 +12,7 @@ void counters_add(Counters *to, const Counters *from)
     to->transmitted_rays += from->transmitted_rays;
     to->bv_intersections += from->bv_intersections;
     to->light_bv_intersections += from->light_bv_intersections;
+    to->leaf_tests += from->leaf_tests;
     to->nurbs_tests += from->nurbs_tests;
     to->nurbs_hits += from->nurbs_hits;
     to->reported_hits += from->reported_hits;

@@ -7,7 +7,8 @@
 typedef struct {
     uint64_t camera_rays, shadow_rays, reflected_rays, transmitted_rays;
     uint64_t bv_intersections, light_bv_intersections;   /* boxes tested for camera and secondary rays; for shadow rays */
-    uint64_t nurbs_tests;           /* numerical surface intersections begun: leaves that were reached */
+    uint64_t leaf_tests;            /* leaves reached; `method certain` decides many of them at sight */
+    uint64_t nurbs_tests;           /* numerical surface intersections begun */
     uint64_t nurbs_hits;            /* of these, the ones that converged to a root */
     uint64_t reported_hits;         /* of these, the ones not trimmed away and nearer than what the ray had */
     uint64_t newton_iterations;     /* surface evaluations after the first guess: `method paper` has that in the leaf */

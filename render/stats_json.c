@@ -32,6 +32,7 @@ static void add_counters(cJSON *to, const Counters *c)
     count(to, "transmitted_rays", c->transmitted_rays);
     count(to, "bv_intersections", c->bv_intersections);
     count(to, "light_bv_intersections", c->light_bv_intersections);
+    count(to, "leaf_tests", c->leaf_tests);
     count(to, "nurbs_tests", c->nurbs_tests);
     number(to, "nurbs_seconds", c->nurbs_seconds);
     count(to, "nurbs_hits", c->nurbs_hits);

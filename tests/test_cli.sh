@@ -243,7 +243,7 @@ test=statistics_tell_what_was_done_and_left_out
 run two.pov +W40 +H30 +WT2 -F --stats two.json
 ends_with 0
 for key in parse_seconds prep_seconds trace_seconds write_seconds threads peak_mb rays bv_intersections \
-    light_bv_intersections nurbs_tests nurbs_seconds nurbs_hits reported_hits newton_iterations newton_jitters \
+    light_bv_intersections leaf_tests nurbs_tests nurbs_seconds nurbs_hits reported_hits newton_iterations newton_jitters \
     certificates fallbacks surfaces trims shadow_rays reflected_rays transmitted_rays left_out; do
     grep -q "\"$key\":" two.json || fail "no $key"
 done
@@ -262,7 +262,7 @@ test=a_surface_that_no_ray_reaches_is_not_prepared
 sed '/points 2, 2/s/, 2>/, -9>/g' two.pov >behind.pov
 run behind.pov +W40 +H30 +Q1 -F --stats behind.json
 ends_with 0
-grep -q '"nurbs_tests":.0,' behind.json || fail "the surface was tested"
+grep -q '"leaf_tests":.0,' behind.json || fail "the surface was tested"
 grep -q 'preparation: surfaces that no ray reached' behind.json || fail "the surface was prepared"
 
 test=an_interrupt_keeps_what_was_finished

@@ -54,8 +54,8 @@ static double trimray_test_seconds(Engine *engine, const RaySet *set, size_t str
     trimray_shoot(engine, set, stride, t);
     e->trace.measures_time = false;
     const Counters *c = &engine->cost.counters;
-    *n_tests = c->nurbs_tests;
-    return c->nurbs_seconds - (double)c->nurbs_tests * reading;
+    *n_tests = c->leaf_tests;
+    return c->nurbs_seconds - (double)c->leaf_tests * reading;
 }
 
 static void trimray_release(Engine *engine)

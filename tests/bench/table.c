@@ -20,14 +20,15 @@ void print_preparation(const Bench *b)
 
 static void print_counters(const Counters *c, const Speed *s, const Accuracy *a, int repeats)
 {
-    if (c->nurbs_tests == 0) {
-        printf("| | | | | |\n");
+    if (c->leaf_tests == 0) {
+        printf("| | | | | | |\n");
         return;
     }
-    double passes = repeats, rays = (double)s->n * passes, tests = (double)c->nurbs_tests, hits = (double)a->hits * passes;
+    double passes = repeats, rays = (double)s->n * passes, tests = (double)c->leaf_tests, hits = (double)a->hits * passes;
     double boxes = (double)(c->bv_intersections + c->light_bv_intersections);
-    printf("%.0f | %.2f | %.2f | %.2f | %.2f | %.3f |\n", s->cycles_per_test, boxes / rays, tests / rays,
-           tests / double_max(hits, 1), (double)c->newton_iterations / tests, (double)c->fallbacks / tests);
+    printf("%.0f | %.2f | %.2f | %.2f | %.2f | %.2f | %.3f |\n", s->cycles_per_test, boxes / rays, tests / rays,
+           tests / double_max(hits, 1), (double)c->nurbs_tests / double_max(hits, 1),
+           (double)c->newton_iterations / tests, (double)c->fallbacks / tests);
 }
 
 static void print_row(Bench *b, int k, Entry *e)
@@ -49,8 +50,8 @@ static void print_row(Bench *b, int k, Entry *e)
 void print_rays(Bench *b)
 {
     printf("| rays | engine | M rays/s | spread | 1/n | hits | missed | false | largest | RMS | 99.9 %% | cycles/ray "
-           "| cycles/test | boxes/ray | tests/ray | tests/hit | steps/test | fallbacks/test |\n"
-           "|---|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n");
+           "| cycles/test | boxes/ray | tests/ray | tests/hit | Newton/hit | steps/test | fallbacks/test |\n"
+           "|---|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n");
     for (int k = 0; k < b->n_sets; k++)
         for (int i = 0; i < b->n_engines && is_listed(b->options->sets, b->sets[k].name); i++) print_row(b, k, &b->list[i]);
     printf("\n");

@@ -131,7 +131,7 @@ Verdict judge_ray(const Model *m, int method, const Ray *r, const Truth *truth, 
     bool is_hit = shape_hit(s, r, &hit, trace);
     double seconds = fmax(0, cpu_now() - begin - overhead);
     row->seconds += seconds, row->slowest = fmax(row->slowest, seconds);
-    row->tests += trace->counters.nurbs_tests - before.nurbs_tests;
+    row->tests += trace->counters.leaf_tests - before.leaf_tests;
     row->fallbacks += trace->counters.fallbacks - before.fallbacks;
     Verdict v = { judge(truth, r, is_hit, hit.t, row), is_hit, hit.t, hit.u, hit.v, seconds };
     if (v.judgement <= JUDGED_IN_BAND) {   /* `blocks` knows no more than that there is one */

@@ -347,10 +347,22 @@ bool certain_nearest_on(const Surface *s, const TileTree *tree, uint32_t tile, c
     return k.found;
 }
 
+static bool is_still_blocked(Search *k, const Ray *r, double t_max, Trace *t)
+{
+    uint32_t tile = blocker_recall(&t->blockers, k->tree);
+    if (tile >= k->tree->n_tiles) return false;
+    if (set_ray(k, r, t_max, t) && visit_tile(k, tile, r, &t_max, t)) return true;
+    blocker_forget(&t->blockers, k->tree);
+    return false;
+}
+
 bool certain_any(const Surface *s, const TileTree *tree, const Ray *r, double t_max, Trace *t)
 {
     Search k = { .s = s, .tree = tree, .take = take_any };
-    return search_tiles(&k, r, t_max, t);
+    if (is_still_blocked(&k, r, t_max, t)) return true;
+    if (!search_tiles(&k, r, t_max, t)) return false;
+    blocker_note(&t->blockers, tree, k.tile);
+    return true;
 }
 
 bool certain_any_on(const Surface *s, const TileTree *tree, uint32_t tile, const Ray *r, double t_max, Trace *t)

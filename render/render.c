@@ -93,6 +93,7 @@ static int lesser(int a, int b) { return a < b ? a : b; }
 
 static void render_tile(const Job *job, int tile, Trace *t)
 {
+    blockers_clear(&t->blockers);
     const RenderOptions *o = job->options;
     Sampler sampler = { job, t };
     int x0 = o->x0 + tile % job->n_across * o->block_size, y0 = o->y0 + tile / job->n_across * o->block_size;

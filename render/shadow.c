@@ -173,6 +173,7 @@ static Rgb area_light(const Shadow *q, const Light *l, Rgb color)
 
 Rgb shadow_light(const Shadow *q, const Light *l, const LightAt *lit)
 {
+    q->trace->blockers.aim = l;
     if (l->is_shadowless || is_black(lit->color)) return lit->color;
     if (l->is_area && q->has_areas) return area_light(q, l, lit->color);
     if (!light_is_parallel(l)) return light_from(q, &lit->direction, &l->position, lit->color);

@@ -4,6 +4,7 @@
 #define TRIMRAY_SHAPE_H
 
 #include "render/arena.h"
+#include "render/blocker.h"
 #include "render/box.h"
 #include "render/ray.h"
 #include "render/stats.h"
@@ -21,6 +22,7 @@ typedef struct {
     bool measures_time;      /* fill counters.nurbs_seconds: costs two clock reads a test */
     uint64_t seed;           /* of this ray: depends only on (pixel, sample); see hash.h */
     WideRay wide;            /* the last ray that met a tree of boxes */
+    Blockers blockers;
     /* The frame of the last direction, for shapes that see a ray as two planes: unit d, perpendicular unit n1 and n2. */
     struct { Vec3 dir; double length; Vec3 d, n1, n2; } frame;
     /* The last root that was accepted: where rays that leave from it find their own surface again. It counts only while

@@ -184,20 +184,29 @@ static bool meet_any(const Search *s, Item i, const Ray *r, const double *t_max,
 
 static bool visit_any(void *context, uint32_t i, const Ray *r, double *t_max, Trace *t)
 {
-    return meet_any(context, (Item){ i, ALL_OF_IT }, r, t_max, t);
+    const Search *s = context;
+    bool blocks = meet_any(s, s->tree->joined ? s->tree->items[i] : (Item){ i, ALL_OF_IT }, r, t_max, t);
+    if (blocks) blocker_note(&t->blockers, s->tree, i);
+    return blocks;
 }
 
-static bool visit_any_joined(void *context, uint32_t i, const Ray *r, double *t_max, Trace *t)
+/* What the boxes may tell a visitor. */
+static uint32_t item_count(const ShapeTree *tree) { return tree->joined ? bvh_item_count(tree->joined) : tree->n; }
+
+static bool is_still_blocked(const Search *s, const Ray *r, double t_max, Trace *t)
 {
-    const Search *s = context;
-    return meet_any(s, s->tree->items[i], r, t_max, t);
+    uint32_t i = blocker_recall(&t->blockers, s->tree);
+    if (i >= item_count(s->tree)) return false;
+    if (meet_any(s, s->tree->joined ? s->tree->items[i] : (Item){ i, ALL_OF_IT }, r, &t_max, t)) return true;
+    blocker_forget(&t->blockers, s->tree);
+    return false;
 }
 
 bool shape_tree_blocks(const ShapeTree *tree, const Ray *r, unsigned skip, double t_max, Trace *t)
 {
     Search s = { tree, skip, NULL, -1 };
+    if (is_still_blocked(&s, r, t_max, t)) return true;
     for (uint32_t i = 0; i < tree->n_unbounded; i++)
-        if (visit_any(&s, tree->unbounded[i], r, &t_max, t)) return true;
-    if (tree->joined) return bvh_traverse(tree->joined, r, &t_max, visit_any_joined, &s, t);
-    return bvh_traverse(tree->bvh, r, &t_max, visit_any, &s, t);
+        if (meet_any(&s, (Item){ tree->unbounded[i], ALL_OF_IT }, r, &t_max, t)) return true;
+    return bvh_traverse(tree->joined ? tree->joined : tree->bvh, r, &t_max, visit_any, &s, t);
 }

@@ -269,7 +269,7 @@ static bool arc_meets_rect(const TrimPath *path, int i, TrimRect r)
     Vec2 a = path->p[i], b = path->p[i + 1];
     TrimRect box = trim_rect_of(a, b);
     TrimRect q = { fmax(r.u0, box.u0), fmin(r.u1, box.u1), fmax(r.v0, box.v0), fmin(r.v1, box.v1) };
-    if (q.v0 == q.v1) return arc_meets_height(path, i, q.u0, q.u1, q.v0);
+    if (q.v0 == q.v1 && box.v0 < box.v1) return arc_meets_height(path, i, q.u0, q.u1, q.v0);
     bool leans_right = (b.x > a.x) == (b.y > a.y);
     double left_v = leans_right ? q.v0 : q.v1, right_v = leans_right ? q.v1 : q.v0;
     WidePoint from = trim_vertex(path, i), to = trim_vertex(path, i + 1);

@@ -5,8 +5,8 @@
 
 #include "render/texture.h"
 
-/* kd |N.L|^brilliance: to be multiplied by opacity, pigment and light. is_back: the light is behind the surface. An albedo is
- * the share of all light that is sent back; the factor makes the lobe's integral that share. */
+/* kd |N.L|^brilliance: to be multiplied by opacity, pigment and light. is_back: the light is behind the surface. An albedo
+ * is the share of all light that is sent back; the factor makes the lobe's integral that share. */
 static inline double finish_diffuse(const Finish *f, double cos_light, bool is_back)
 {
     double kd = is_back ? f->diffuse_back : f->diffuse;

@@ -69,8 +69,8 @@ static void the_srgb_curve_is_its_definition(void **state)
 static void check_curve(const FilmCurve *c, double working)
 {
     int truth = film_sample(working, c->gamma, c->gamma_power, c->max), found = film_curve_sample(c, working);
-    CHECK(found == truth, "gamma kind %d, %g, of %d: at %a %d, not %d", (int)c->gamma, c->gamma_power, c->max, working, found,
-          truth);
+    CHECK(found == truth, "gamma kind %d, %g, of %d: at %a %d, not %d", (int)c->gamma, c->gamma_power, c->max, working,
+          found, truth);
 }
 
 /* At every step, some hundred floats before and behind it, at random between them, and outside. */
@@ -78,11 +78,13 @@ static void a_curve_of_steps_is_the_curve(void **state)
 {
     (void)state;
     static const struct { GammaKind gamma; double power; } kinds[] = {
-        { GAMMA_POWER, 1 }, { GAMMA_POWER, 2.2 }, { GAMMA_POWER, .3 }, { GAMMA_POWER, 5 }, { GAMMA_SRGB, 0 }, { GAMMA_NONE, 0 },
+        { GAMMA_POWER, 1 }, { GAMMA_POWER, 2.2 }, { GAMMA_POWER, .3 }, { GAMMA_POWER, 5 },
+        { GAMMA_SRGB, 0 }, { GAMMA_NONE, 0 },
     };
     TestRandom r = test_random(1);
     for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++) {
-        FilmCurve c = film_curve(kinds[k].gamma, kinds[k].power, 255), deep = film_curve(kinds[k].gamma, kinds[k].power, 65535);
+        FilmCurve c = film_curve(kinds[k].gamma, kinds[k].power, 255);
+        FilmCurve deep = film_curve(kinds[k].gamma, kinds[k].power, 65535);
         for (int i = 1; i < 256; i++) {
             float up = c.step[i], down = up;
             for (int n = 0; n < 100; n++, up = nextafterf(up, 2), down = nextafterf(down, -1))

@@ -159,12 +159,18 @@ static Vec4 *points_about(Arena *a, const Surface *s, Vec3 base)
     return p;
 }
 
-/* What two patches' common border may differ by, in units u of the size. Not the worst case: that is 8k a direction for closing a
- * span (bezier.h) and 1.5 (k-1) for each halving. But neighbours close their border with the same numbers, and roundings of
- * either sign are averaged by every combination; tests aim rays at the seams of closed solids, and none slips through. */
+/* How far the points of a patch may be from where exact arithmetic has them, in space: u = 2^-53 of the surface's size for
+ * each rounding. Closing a span takes 2 (k-1) combinations in each direction (bezier.h), moving the points about the base
+ * one more. Not the worst case of these, which is 8 k a direction: roundings of either sign are averaged by every
+ * combination, and neighbours close their border with the same numbers; tests hold it against exact arithmetic. Weights have
+ * been multiplied with coordinates before (surface.c), which rounds by u of these, however far off they are: of three by
+ * sqrt 3. */
 static double rounding_of_patches(const Surface *s)
 {
-    return 0.5 * DBL_EPSILON * (s->k_u + s->k_v + 8) * s->size;
+    double u = 0.5 * DBL_EPSILON, farthest = 0;
+    Vec3 lo = vec(s->box.lo[0], s->box.lo[1], s->box.lo[2]), hi = vec(s->box.hi[0], s->box.hi[1], s->box.hi[2]);
+    if (!s->is_polynomial) farthest = double_max(vec_max_abs(lo), vec_max_abs(hi));
+    return u * (s->k_u + s->k_v + 8) * s->size + sqrt(3) * u * farthest;
 }
 
 /* A patch of high order is dear to keep, k_u k_v points: up to order 4 nothing changes, beyond it patches may vary more, so

@@ -18,7 +18,7 @@ typedef struct {
     uint32_t n_cut, n_untested;      /* dropped because trimmed away; kept without a trim test on a trimmed surface */
 } TileTree;
 
-/* The certificate then holds for all rays but those within some asin(0.35) of the tile's tangent planes. */
+/* The certificate then holds for all rays but those within some asin(0.25) of the tile's tangent planes. */
 #define CERTAIN_VARIATION 0.25
 
 /* Cuts the surface into tiles whose frames settle most rays, drops those that are trimmed away, and builds the tree. A

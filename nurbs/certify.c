@@ -20,6 +20,8 @@
 #include <float.h>
 #include <math.h>
 
+/* From the parallelogram's root or a neighbour's, two steps or three are the rule; within a contraction near 1 the first may
+ * go astray. What eight do not bring to an end has clip.c: nothing is lost. */
 enum { MAX_STEPS = 8 };
 
 PatchRay patch_ray(Vec3 origin, Vec3 dir, double t_min, double t_max)
@@ -132,7 +134,7 @@ ALWAYS_INLINE bool proves_miss(const Solve *k, double ds, double dt)
 ALWAYS_INLINE bool proves_miss_by_clamping(const Solve *k, double f1, double f2)
 {
     double scale = 1 / (2 * k->c_det * k->tile->w_middle), u = k->tile->length_s, v = k->tile->length_t;
-    double g_s = (k->c12 * f2 - k->c22 * f1) * scale, g_t = (k->c21 * f1 - k->c11 * f2) * scale;    /* in shares of the tile */
+    double g_s = (k->c12 * f2 - k->c22 * f1) * scale, g_t = (k->c21 * f1 - k->c11 * f2) * scale;   /* in shares of the tile */
     double p_s = clamped(k->s + g_s, -TILE_MARGIN, 1 + TILE_MARGIN) - k->s;
     double p_t = clamped(k->t + g_t, -TILE_MARGIN, 1 + TILE_MARGIN) - k->t;
     double least = (1 + k->contraction) / (1 - k->contraction);

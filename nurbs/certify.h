@@ -15,7 +15,7 @@ typedef struct {
     Vec3 origin, d;          /* d: unit */
     Vec3 n1, n2;             /* unit, perpendicular to d and to each other */
     double t_min, t_max;     /* along d; t_max shrinks as roots are accepted */
-    const Tile *guess;       /* on this tile start from (guess_s, guess_t) of its patch: the ray comes from there. NULL: none */
+    const Tile *guess;       /* on this tile start from (guess_s, guess_t) of its patch, where the ray is from. NULL: none */
     double guess_s, guess_t;
 } PatchRay;
 

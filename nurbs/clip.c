@@ -11,17 +11,19 @@
 /* A box whose coefficients are within so many errors of zero cannot be told from the ray, nor a point. The error itself must
  * be accepted, lest anything be missed; the quarter more is what lets boxes be decided that are no larger than that. */
 #define ON_THE_RAY 1.25
-/* A box on the ray that is longer than this share of the tile's shorter side is no tangent point (those are some 2^-26 long,
- * 2^-17 at a cusp): the ray runs in the surface there, and the hit is where it enters. Boxes that a trim declines are not cut up
- * without end. */
+/* A box on the ray that is longer than this share of the tile's shorter side is no tangent point (those are some 2^-26
+ * long, 2^-17 at a cusp): the ray runs in the surface there, and the hit is where it enters: to 4 roundings, of which the
+ * box's ends have two each. But where visitors go on declining, for a trim or since they want all roots, boxes are not cut
+ * up without end: from so many on, to this share of the tile's radius. */
 #define IN_THE_SURFACE 0x1p-8
+#define ENTRY 4
 enum { MAX_DECLINED = 64 };
 #define PART_OF_DECLINED 0x1p-4
-/* Boxes of one search. Tangencies take some hundred; a search that goes on is among roots that no visitor takes as the
- * nearest, on a surface that keeps to the ray within a few roundings: then each box has one point of it reported, or none if
- * Newton's method finds none. */
+/* Boxes of one search. Tangencies take some hundred, rays along the surface some thousand; a search that goes on is among
+ * roots that no visitor takes as the nearest, on a surface that keeps to the ray within a few roundings. Then each box that
+ * is left has one point of it reported, or none if Newton's method finds none. */
 enum { PATIENCE = 1 << 15 };
-#define MIN_CLIP 0.8         /* a clip that leaves more than this of both sides is followed by a halving: the 20 % rule */
+#define MIN_CLIP 0.8         /* what leaves more than this of both sides is followed by a halving: [NSK90], the 20 % rule */
 
 typedef struct {
     View view;
@@ -221,7 +223,7 @@ static bool runs_in_surface(const Search *k, Part *n, double length)
 {
     if (k->declined >= MAX_DECLINED) return length > PART_OF_DECLINED * k->tile->radius;
     n->is_in_surface = n->is_in_surface || length > IN_THE_SURFACE * shorter_side(k->tile);
-    return n->is_in_surface && length > 4 * k->rounding;
+    return n->is_in_surface && length > ENTRY * k->rounding;
 }
 
 /* A box whose nearest point is `at`, and that is a small one or one with one root at most. */

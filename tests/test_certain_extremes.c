@@ -1,4 +1,5 @@
 /* `method certain` where there is no table to make: rays that leave a surface, numbers that are no numbers. */
+#include "nurbs/certain.h"
 #include "tests/stress/model.h"
 
 #include <string.h>
@@ -57,6 +58,103 @@ static void a_ray_that_leaves_does_not_meet_what_it_leaves(void **state)
     }
 }
 
+/* The doubles that the shape was made of, without rounding. */
+static Net net_of_desc(Arena *a, const SurfaceDesc *d, const Net *like)
+{
+    Net n = *like;
+    n.p = ARENA_ARRAY(a, Quad4, d->n_u * d->n_v);
+    for (int i = 0; i < d->n_u * d->n_v; i++) {
+        Quad w = d->points[i].w;
+        n.p[i] = (Quad4){ d->points[i].x * w, d->points[i].y * w, d->points[i].z * w, w };
+    }
+    return n;
+}
+
+/* The distance from the ray's point at t to the tangent plane at S(u, v), in 113 bits; what u and v were rounded by lies in
+ * that plane. */
+static double distance_to_surface(const Net *n, const Ray *r, double t, double u, double v, Vec3 normal)
+{
+    Quad3 at = quad3_add(quad3_of(r->origin), quad3_scale(quad3_of(r->dir), t));
+    return (double)quad_abs(quad3_dot(quad3_sub(at, net_point(n, u, v)), quad3_of(normal)));
+}
+
+/* With weights of a ratio up to 1e6, up to 1e8 sizes off. What a hit says is a bound, and no more than some hundred units in
+ * the last place of what there is. */
+static void a_hit_is_as_near_to_the_surface_as_it_says(void **state)
+{
+    (void)state;
+    static const double offsets[] = { 0, 1, 1e4, 1e8 }, ratios[] = { 1, 1e3, 1e6 };
+    for (unsigned seed = 0; seed < 48; seed++) {
+        TestRandom random = test_random(seed);
+        Arena *a = arena_new();
+        Net plain;
+        Form f = seed % 2 ? form_torus(a, .4, &plain) : form_saddle(a, 1, &plain);
+        Model m = model_new(a, f, plain);
+        net_mobius(&m.net, NET_U, ratios[seed / 2 % 3]);
+        QuadMap place = model_rotation(&random, 1);
+        place.o = quad3_scale(random_direction(&random), offsets[seed / 6 % 4]);
+        model_finish(&m, &place, NULL, 0);
+        Net exact = net_of_desc(a, &m.desc, &m.net);
+        Trace trace = new_trace();
+        for (int i = 0; i < 100; i++) {
+            Ray r = ray_anywhere(&m, 0, &random);
+            Hit hit = { .t = INFINITY };
+            if (!shape_hit(m.shape[CERTAIN], &r, &hit, &trace)) continue;
+            Attributes at;
+            m.shape[CERTAIN]->type->attributes(m.shape[CERTAIN], &r, &hit, &at);
+            double error = distance_to_surface(&exact, &r, hit.t, hit.u, hit.v, at.normal);
+            double says = hit.t_error * vec_length(r.dir);
+            double far = m.at.extent + vec_length(r.origin) + hit.t * vec_length(r.dir);
+            CHECK_WITHIN(error, says, "seed %u, ray %d, offset %g, weights 1 to %g", seed, i, offsets[seed / 6 % 4],
+                         ratios[seed / 2 % 3]);
+            CHECK_WITHIN(says, 256 * 0x1p-53 * far, "seed %u, ray %d: a bound that tells nothing", seed, i);
+        }
+        arena_free(trace.scratch);
+        shape_release(m.shape[CERTAIN]);
+        arena_free(a);
+    }
+}
+
+/* Orders up to 16, weights and knots of all sorts; quarters of the spans, which are dyadic: parameters are exact. At corners
+ * the point is a control point, between them its evaluation adds what patch_rounding says. */
+static void patches_are_as_near_to_the_surface_as_they_say(void **state)
+{
+    (void)state;
+    static const double offsets[] = { 0, 1, 1e4 };
+    for (unsigned seed = 0; seed < 120; seed++) {
+        TestRandom random = test_random(seed);
+        Arena *a = arena_new();
+        Net plain;
+        Form f = seed % 2 ? form_torus(a, .4, &plain) : form_saddle(a, 1, &plain);
+        Model m = model_new(a, f, plain);
+        for (int axis = 0; axis < 2; axis++) {
+            net_raise(a, &m.net, axis, test_int(&random, m.net.k[axis], 16));
+            if (test_int(&random, 0, 1)) net_mobius(&m.net, axis, pow(10, test_range(&random, 0, 4)));
+            double end = m.net.knots[axis][m.net.n[axis]];
+            for (int i = 0; i < 3; i++) net_insert(a, &m.net, axis, end * test_int(&random, 1, 63) / 64);
+        }
+        QuadMap place = model_rotation(&random, 1);
+        place.o = quad3_scale(random_direction(&random), offsets[seed / 2 % 3]);
+        model_finish(&m, &place, NULL, 0);
+        Net exact = net_of_desc(a, &m.desc, &m.net);
+        TileTree tree;
+        certain_prepare(a, surface_of_shape(m.shape[CERTAIN]), 1e300, &tree);    /* a tile is a patch */
+        for (uint32_t i = 0; i < tree.n_tiles; i++) {
+            const Patch *p = tree.tiles[i].patch;
+            double s = test_int(&random, 0, 4) / 4., t = test_int(&random, 0, 4) / 4.;
+            bool is_corner = (s == 0 || s == 1) && (t == 0 || t == 1);
+            Vec4 value, by_s, by_t;
+            patch_evaluate(p, s, t, &value, &by_s, &by_t);
+            Quad3 at = quad3_add(quad3_of(tree.base), quad3_add(quad3_of(p->origin), quad3_of(vec4_project(value))));
+            double error = (double)quad3_length(quad3_sub(at, net_point(&exact, patch_u(p, s), patch_v(p, t))));
+            CHECK_WITHIN(error, is_corner ? p->rounding : patch_rounding(p, vec(0, 0, 0)),
+                         "seed %u, orders %d and %d, offset %g, at %g, %g", seed, p->k_u, p->k_v, offsets[seed / 2 % 3], s, t);
+        }
+        shape_release(m.shape[CERTAIN]);
+        arena_free(a);
+    }
+}
+
 static void a_ray_of_no_numbers_meets_nothing(void **state)
 {
     (void)state;
@@ -91,6 +189,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_ray_that_leaves_does_not_meet_what_it_leaves),
+        cmocka_unit_test(a_hit_is_as_near_to_the_surface_as_it_says),
+        cmocka_unit_test(patches_are_as_near_to_the_surface_as_they_say),
         cmocka_unit_test(a_ray_of_no_numbers_meets_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

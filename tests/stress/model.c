@@ -11,13 +11,14 @@ Model model_new(Arena *a, Form form, Net net)
 static void measure(Model *m)
 {
     Vec3 lo = { INFINITY, INFINITY, INFINITY }, hi = { -INFINITY, -INFINITY, -INFINITY };
+    m->at.extent = 0;
     for (int i = 0; i < m->desc.n_u * m->desc.n_v; i++) {
         Vec4 p = m->desc.points[i];
         lo = vec(fmin(lo.x, p.x), fmin(lo.y, p.y), fmin(lo.z, p.z));
         hi = vec(fmax(hi.x, p.x), fmax(hi.y, p.y), fmax(hi.z, p.z));
+        m->at.extent = fmax(m->at.extent, vec_length(vec(p.x, p.y, p.z)));
     }
     m->size = vec_length(vec_sub(hi, lo)) / 2;
-    m->at.extent = fmax(vec_max_abs(lo), vec_max_abs(hi));
     m->at.k_sum = m->desc.order_u + m->desc.order_v;
 }
 

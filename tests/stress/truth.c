@@ -64,13 +64,12 @@ static Quad leave_band(const Line *l, Quad s, Quad step)
 
 long double truth_length(const FormInWorld *f, const Ray *r)
 {
-    return (long double)((f->extent + vec_max_abs(r->origin)) / quad3_length(quad3_of(r->dir)));
+    return (long double)((f->extent + vec_length(r->origin)) / quad3_length(quad3_of(r->dir)));
 }
 
 double truth_band(const FormInWorld *f, const Ray *r)
 {
-    double size = f->extent + fabs(r->origin.x) + fabs(r->origin.y) + fabs(r->origin.z);
-    return BAND_ROUNDINGS * (f->k_sum + 8) * 0x1p-53 * size;
+    return BAND_ROUNDINGS * (f->k_sum + 8) * 0x1p-53 * (f->extent + vec_length(r->origin));
 }
 
 double truth_input_band(const FormInWorld *f) { return INPUT_ROUNDINGS * 0x1p-53 * f->extent; }

@@ -51,34 +51,48 @@ typedef struct {
     Vec3 o;                        /* the ray's origin about the patch's */
     double q1, q2, rounding;       /* q: about the tile's middle */
     double s, t;                   /* the iterate */
-    PatchPoint last;               /* evaluated at (s - ds, t - dt) */
+    V4 to_ray[4];                  /* columns: from (x, y, z, w) about the patch to (w F1, w F2, w depth, w) */
+    PatchPoint last;               /* evaluated at (s - ds, t - dt), as the ray sees it */
     double ds, dt;
     double j11, j12, j21, j22, det;
     double c11, c12, c21, c22, c_det;   /* the frame's */
     double contraction;            /* q of the frame's certificate */
 } Solve;
 
-ALWAYS_INLINE void set_jacobian(Solve *k, Vec3 a, Vec3 b)
+ALWAYS_INLINE void set_to_ray(Solve *k)
 {
-    k->j11 = vec_dot(k->r->n1, a), k->j12 = vec_dot(k->r->n1, b);
-    k->j21 = vec_dot(k->r->n2, a), k->j22 = vec_dot(k->r->n2, b);
+    const PatchRay *r = k->r;
+    V4 x = { r->n1.x, r->n2.x, r->d.x, 0 }, y = { r->n1.y, r->n2.y, r->d.y, 0 }, z = { r->n1.z, r->n2.z, r->d.z, 0 };
+    k->to_ray[0] = x, k->to_ray[1] = y, k->to_ray[2] = z;
+    k->to_ray[3] = (V4){ 0, 0, 0, 1 } - (x * k->o.x + y * k->o.y + z * k->o.z);
+}
+
+ALWAYS_INLINE V4 seen(const Solve *k, V4 p)
+{
+    return (k->to_ray[0] * p[0] + k->to_ray[1] * p[1]) + (k->to_ray[2] * p[2] + k->to_ray[3] * p[3]);
+}
+
+/* Sets `last` and the Jacobian there. */
+ALWAYS_INLINE void evaluate(Solve *k)
+{
+    PatchPoint at = kernel_tile(k->tile, &k->s, &k->t);
+    k->last = (PatchPoint){ seen(k, at.value), seen(k, at.by_s), seen(k, at.by_t) };
+    k->j11 = k->last.by_s[0], k->j12 = k->last.by_t[0];
+    k->j21 = k->last.by_s[1], k->j22 = k->last.by_t[1];
     k->det = k->j11 * k->j22 - k->j12 * k->j21;
 }
 
 ALWAYS_INLINE double length2(double a, double b) { return sqrt(a * a + b * b); }
 ALWAYS_INLINE double clamped(double x, double lo, double hi) { return double_min(double_max(x, lo), hi); }
-ALWAYS_INLINE Vec3 xyz(V4 p) { return vec(p[0], p[1], p[2]); }
 
 /* Reports the root at (s, t): the last evaluation and a step by the derivatives, whose square is lost in the rounding. */
 ALWAYS_INLINE bool report(const Solve *k, RootVisit visit, void *context)
 {
     V4 h = k->last.value + k->last.by_s * k->ds + k->last.by_t * k->dt;
-    Vec3 at = vec_scale(xyz(h), 1 / h[3]);
-    double depth = vec_dot(k->r->d, vec_sub(at, k->o));
+    double depth = h[2] / h[3];
     if (!(depth > k->r->t_min && depth < k->r->t_max)) return false;
     /* the rounding moves the root by J^-1 times itself, and the depth by how that changes along the surface */
-    double along_s = vec_dot(k->r->d, vec_sub(xyz(k->last.by_s), vec_scale(at, k->last.by_s[3])));
-    double along_t = vec_dot(k->r->d, vec_sub(xyz(k->last.by_t), vec_scale(at, k->last.by_t[3])));
+    double along_s = k->last.by_s[2] - depth * k->last.by_s[3], along_t = k->last.by_t[2] - depth * k->last.by_t[3];
     double slope = length2(along_s * k->j22 - along_t * k->j21, along_t * k->j11 - along_s * k->j12);
     const Tile *f = k->tile;
     Root root = { .s = f->s0 + clamped(k->s, 0, 1) * f->ds, .t = f->t0 + clamped(k->t, 0, 1) * f->dt,
@@ -145,16 +159,13 @@ ALWAYS_INLINE NewtonResult newton(Solve *k, Trace *trace)
     const double lo = -TILE_MARGIN, hi = 1 + TILE_MARGIN;
     for (int step = 0; step < MAX_STEPS; step++) {
         trace->counters.newton_iterations++;
-        k->last = kernel_tile(k->tile, &k->s, &k->t);
-        double w = k->last.value[3], w_s = k->last.by_s[3], w_t = k->last.by_t[3];
-        Vec3 h = xyz(k->last.value), at = vec_scale(k->o, w);
-        set_jacobian(k, vec_sub(xyz(k->last.by_s), vec_scale(k->o, w_s)), vec_sub(xyz(k->last.by_t), vec_scale(k->o, w_t)));
-        double f1 = vec_dot(k->r->n1, vec_sub(h, at)), f2 = vec_dot(k->r->n2, vec_sub(h, at)), scale = 1 / k->det;
+        evaluate(k);
+        double f1 = k->last.value[0], f2 = k->last.value[1], scale = 1 / k->det;
         double ds = (k->j12 * f2 - k->j22 * f1) * scale, dt = (k->j21 * f1 - k->j11 * f2) * scale;
         double s = clamped(k->s + ds, lo, hi), t = clamped(k->t + dt, lo, hi);
         bool leaves = s != k->s + ds || t != k->t + dt;
         if (leaves && (proves_miss(k, ds, dt) || proves_miss_by_clamping(k, f1, f2))) return NEWTON_OUTSIDE;
-        if (is_out_of_reach(k, vec_dot(k->r->d, vec_sub(vec_scale(h, 1 / w), k->o)), ds, dt)) return NEWTON_OUTSIDE;
+        if (is_out_of_reach(k, k->last.value[2] / k->last.value[3], ds, dt)) return NEWTON_OUTSIDE;
         k->ds = leaves ? s - k->s : ds, k->dt = leaves ? t - k->t : dt;    /* with bits that s and t have no room for */
         k->s = s, k->t = t;
         if (fabs(ds) < LAST_STEP && fabs(dt) < LAST_STEP) return place_of_root(k);
@@ -214,6 +225,7 @@ ALWAYS_INLINE bool solve_one(Solve *k, RootVisit visit, void *context, Trace *tr
 {
     trace->counters.certificates++, trace->counters.nurbs_tests++;
     const Tile *f = k->tile;
+    set_to_ray(k);
     if (k->r->guess == f) k->s = (k->r->guess_s - f->s0) / f->ds, k->t = (k->r->guess_t - f->t0) / f->dt;
     switch (newton(k, trace)) {
     case NEWTON_INSIDE: return report(k, visit, context);

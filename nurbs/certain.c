@@ -240,6 +240,21 @@ static Vec2 step_along(const Tile *f, Vec3 d)
     return vec2(f->ds * (bb * ad - ab * bd) / det, f->dt * (aa * bd - ab * ad) / det);
 }
 
+/* So often a line is halved where a trim runs beside it: it is then looked at in pieces of 2^-16. */
+enum { MAX_CUTS_ALONG = 16 };
+
+/* Do the trims keep anything of the line at +- half, as wide as `wide` to all sides? Slivers may lie anywhere on it, so what
+ * is not wholly cut away is halved until it is no longer than wide. (A collapsed side makes it infinite: kept.) */
+static bool keeps_along(const TrimTree *trims, Vec2 at, Vec2 half, Vec2 wide, int cuts)
+{
+    Vec2 reach = vec2(fabs(half.x) + wide.x, fabs(half.y) + wide.y), h = vec2_scale(half, 0.5);
+    TrimRect box = { at.x - reach.x, at.x + reach.x, at.y - reach.y, at.y + reach.y };
+    if (trim_class(trims, box) == TRIM_CUT) return false;
+    bool is_long = fabs(half.x) > wide.x || fabs(half.y) > wide.y;
+    if (!is_long || cuts == 0 || !isfinite(reach.x + reach.y)) return true;
+    return keeps_along(trims, vec2_sub(at, h), h, wide, cuts - 1) || keeps_along(trims, vec2_add(at, h), h, wide, cuts - 1);
+}
+
 /* Faces that share an edge have trims that lie along the same curve in space, but not in the same parameters: where each
  * says that the other has the point, a ray would pass between them. So a root counts as kept if a trim passes as near as the
  * root is uncertain: in space by its distance to all sides, and along the ray by the error of its depth, which is more where
@@ -250,12 +265,7 @@ static bool is_near_trim(const TrimTree *trims, const Tile *f, Vec3 d, const Roo
     double du = root->distance * f->ds * w_u / (2.0 * f->length_s) + 2 * DBL_EPSILON * fabs(u);
     double dv = root->distance * f->dt * w_v / (2.0 * f->length_t) + 2 * DBL_EPSILON * fabs(v);
     Vec2 along = vec2_scale(step_along(f, d), root->depth_error);
-    for (int i = -1; i <= 1; i++) {
-        double u_i = u + i * along.x * w_u, v_i = v + i * along.y * w_v;
-        TrimRect band = { u_i - du, u_i + du, v_i - dv, v_i + dv };
-        if (trim_class(trims, band) != TRIM_CUT) return true;    /* a collapsed side makes the band infinite: mixed */
-    }
-    return false;
+    return keeps_along(trims, vec2(u, v), vec2(along.x * w_u, along.y * w_v), vec2(du, dv), MAX_CUTS_ALONG);
 }
 
 static bool accept_root(void *context, const Tile *f, PatchRay *ray, const Root *root)

@@ -240,6 +240,9 @@ static Vec2 step_along(const Tile *f, Vec3 d)
     return vec2(f->ds * (bb * ad - ab * bd) / det, f->dt * (aa * bd - ab * ad) / det);
 }
 
+/* Of a parameter that patch_u or patch_v computes: three roundings, none of a larger number than the ends. */
+static double last_bits(double x0, double x1) { return 3 * 0.5 * DBL_EPSILON * double_max(fabs(x0), fabs(x1)); }
+
 /* So often a line is halved where a trim runs beside it: it is then looked at in pieces of 2^-16. */
 enum { MAX_CUTS_ALONG = 16 };
 
@@ -262,8 +265,8 @@ static bool keeps_along(const TrimTree *trims, Vec2 at, Vec2 half, Vec2 wide, in
 static bool is_near_trim(const TrimTree *trims, const Tile *f, Vec3 d, const Root *root, double u, double v)
 {
     double w_u = f->patch->u1 - f->patch->u0, w_v = f->patch->v1 - f->patch->v0;
-    double du = root->distance * f->ds * w_u / (2.0 * f->length_s) + 2 * DBL_EPSILON * fabs(u);
-    double dv = root->distance * f->dt * w_v / (2.0 * f->length_t) + 2 * DBL_EPSILON * fabs(v);
+    double du = root->distance * f->ds * w_u / (2.0 * f->length_s) + last_bits(f->patch->u0, f->patch->u1);
+    double dv = root->distance * f->dt * w_v / (2.0 * f->length_t) + last_bits(f->patch->v0, f->patch->v1);
     Vec2 along = vec2_scale(step_along(f, d), root->depth_error);
     return keeps_along(trims, vec2(u, v), vec2(along.x * w_u, along.y * w_v), vec2(du, dv), MAX_CUTS_ALONG);
 }

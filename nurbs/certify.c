@@ -102,7 +102,8 @@ ALWAYS_INLINE bool report(const Solve *k, RootVisit visit, void *context)
 
 typedef enum { NEWTON_INSIDE, NEWTON_OUTSIDE, NEWTON_UNDECIDED } NewtonResult;
 
-/* A converged iterate: on the patch, as far as rounding can tell, which can move the root by |J^-1| times itself? */
+/* A converged iterate: on the patch, as far as rounding can tell, which can move the root by |J^-1| times itself, and by the
+ * last bit of s and t? */
 ALWAYS_INLINE NewtonResult place_of_root(const Solve *k)
 {
     const double lo = -TILE_MARGIN, hi = 1 + TILE_MARGIN;

@@ -55,13 +55,15 @@ static int exponent_of_largest_weight(const Vec4 *p, int n)
     return e;
 }
 
-/* A weight 2^-1000 times the largest or less counts as that: the point cannot be seen, and 0 must not come of it. */
+/* A weight this many times the largest or less counts as that: the point cannot be seen, and 0 must not come of it. */
+#define LEAST_WEIGHT 0x1p-1000
+
 static Vec4 *homogeneous_points(Arena *a, const Vec4 *p, int n, bool is_polynomial)
 {
     Vec4 *out = ARENA_ARRAY(a, Vec4, n);
     int e = exponent_of_largest_weight(p, n);
     for (int i = 0; i < n; i++) {
-        double w = is_polynomial ? 1 : fmax(ldexp(p[i].w, -e), 0x1p-1000);
+        double w = is_polynomial ? 1 : fmax(ldexp(p[i].w, -e), LEAST_WEIGHT);
         out[i] = vec4_weighted(vec4(p[i].x, p[i].y, p[i].z, w));
     }
     return out;

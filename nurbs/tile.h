@@ -12,7 +12,8 @@
 #include <stdint.h>
 
 /* How far beyond [0, 1] the frame's bounds still hold: a root that Newton finds just outside the tile proves that there is
- * none inside, if the map is one-to-one on the larger square. */
+ * none inside, if the map is one-to-one on the larger square. A sixteenth is room for an
+ * iterate that overshoots, and what varies with the distance varies by an eighth more over the larger square. */
 #define TILE_MARGIN 0.0625
 
 typedef struct Tile Tile;

@@ -280,7 +280,11 @@ static double area_of(int k, Vec4 p[], double whole, double tolerance, int halvi
     return area_of(k, left, a, tolerance, halvings + 1) + area_of(k, p, b, tolerance, halvings + 1);
 }
 
-/* The tolerance: 2^-30 of the arc's box, but not less than rounding makes of the arc's length. */
+/* The tolerance: this share of the arc's box, for areas are compared and summed only; but not less than what rounding (some
+ * units of 2^-53) makes of the arc's length in the unit square. */
+#define AREA_ERROR 0x1p-30
+#define AREA_ROUNDING 0x1p-50
+
 double trim_arc_area(const TrimArc *arc)
 {
     Vec4 p[NURBS_MAX_ORDER];
@@ -289,5 +293,5 @@ double trim_arc_area(const TrimArc *arc)
     double x = p[0].x / p[0].w, y = p[0].y / p[0].w;
     for (int i = 0; i < k; i++) p[i] = vec4(p[i].x - x * p[i].w, p[i].y - y * p[i].w, 0, p[i].w);
     double dx = fabs(p[k - 1].x / p[k - 1].w), dy = fabs(p[k - 1].y / p[k - 1].w);
-    return area_of(k, p, area_by_rule(k, p), 0x1p-30 * dx * dy + 0x1p-50 * (dx + dy), 0);
+    return area_of(k, p, area_by_rule(k, p), AREA_ERROR * dx * dy + AREA_ROUNDING * (dx + dy), 0);
 }

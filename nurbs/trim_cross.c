@@ -183,6 +183,10 @@ typedef struct {
     Vec2 start;              /* where the run begins: a crossing point */
 } Self;
 
+/* What is in a circle is nearer to the centre than the radius by this share of it: so x, which is on it, is not found in it
+ * again, nor is the point through which it was shrunk. Depths need no more. */
+#define TOUCHING 1e-6
+
 /* The radius of the largest circle, up to that of TRIM_DEPTH_CAP, that touches the chain at x on the side of the unit normal
  * and has no piece in it; shrunk to pass through the nearest point until none is nearer. */
 static double touching_circle(const TrimChain *c, Vec2 x, Vec2 normal)
@@ -190,11 +194,11 @@ static double touching_circle(const TrimChain *c, Vec2 x, Vec2 normal)
     double r = TRIM_DEPTH_CAP / 2;
     while (r > TRIM_EPSILON) {
         Vec2 centre = vec2_add(x, vec2_scale(normal, r));
-        TrimNearest near = trim_chain_nearest(c, centre, r * (1 - 1e-6));
+        TrimNearest near = trim_chain_nearest(c, centre, r * (1 - TOUCHING));
         if (near.piece < 0) return r;
         Vec2 d = vec2_sub(near.point, x);
         double shrunk = vec2_dot(d, d) / (2 * vec2_dot(d, normal));
-        r = shrunk > 0 && shrunk < r * (1 - 1e-6) ? shrunk : r / 2;
+        r = shrunk > 0 && shrunk < r * (1 - TOUCHING) ? shrunk : r / 2;
     }
     return 0;
 }

@@ -133,7 +133,8 @@ static void add_part(Outline *o, const TrimSegment *s, double t0, double t1, Wid
     }
 }
 
-/* The point of the curve at t, which is on a border or was meant to be. */
+/* The point of the curve at t, which is on a border or was meant to be. `rounding`, of the domain: 32 units in the
+ * last place, for a t that is known to its last bit and the curve's evaluation there. */
 static WidePoint put_on_border(WidePoint p)
 {
     const double rounding = 0x1p-48;

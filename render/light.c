@@ -41,7 +41,8 @@ static double cylinder_factor(const Light *l, Vec3 axis, Vec3 from_light)
     return l->radius > 0 && off_axis > l->radius ? factor * smooth_step(0, 1 - l->radius / l->falloff, q) : factor;
 }
 
-double light_along_axis(const Light *l, Vec3 apart, LightAt *at)
+/* Of a light that has an axis: direction and distance along it, if it is parallel; returns how much of it gets there. */
+static double along_axis(const Light *l, Vec3 apart, LightAt *at)
 {
     Vec3 axis = vec_normalize(vec_sub(l->point_at, l->position));
     if (light_is_parallel(l)) {
@@ -52,7 +53,13 @@ double light_along_axis(const Light *l, Vec3 apart, LightAt *at)
     return l->kind == LIGHT_CYLINDER ? cylinder_factor(l, axis, vec_neg(apart)) : 1;
 }
 
-double light_faded(const Light *l, double distance)
+LightAt light_at_any(const Light *l, Vec3 position, Vec3 point)
 {
-    return 2 / (1 + pow(fabs(distance) / l->fade_distance, l->fade_power));
+    Vec3 apart = vec_sub(position, point);
+    LightAt at = { vec_normalize(apart), vec_length(apart), l->color };
+    double factor = l->kind == LIGHT_POINT && !l->is_parallel ? 1 : along_axis(l, apart, &at);
+    if (l->fade_distance > 0 && l->fade_power > 0)
+        factor *= 2 / (1 + pow(fabs(at.distance) / l->fade_distance, l->fade_power));
+    at.color = rgb_scale(at.color, factor);
+    return at;
 }

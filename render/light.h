@@ -40,18 +40,14 @@ typedef struct {
     double distance;                    /* along it to where the light is; parallel: may be negative (no blocker then) */
     Rgb color;                          /* with fading and cones; may be black */
 } LightAt;
-/* Its shares: of a light with an axis, whose direction and distance are set, too, if it is parallel; of one that fades. */
-double light_along_axis(const Light *l, Vec3 apart, LightAt *at);
-double light_faded(const Light *l, double distance);
+LightAt light_at_any(const Light *l, Vec3 position, Vec3 point);
 
 static inline LightAt light_at(const Light *l, Vec3 position, Vec3 point)
 {
+    bool has_axis = l->kind != LIGHT_POINT || l->is_parallel, fades = l->fade_distance > 0 && l->fade_power > 0;
+    if (has_axis || fades) return light_at_any(l, position, point);
     Vec3 apart = vec_sub(position, point);
-    LightAt at = { .direction = vec_normalize(apart), .distance = vec_length(apart), .color = l->color };
-    double share = l->kind == LIGHT_POINT && !l->is_parallel ? 1 : light_along_axis(l, apart, &at);
-    if (l->fade_distance > 0 && l->fade_power > 0) share *= light_faded(l, at.distance);
-    if (share != 1) at.color = rgb_scale(at.color, share);
-    return at;
+    return (LightAt){ vec_normalize(apart), vec_length(apart), l->color };
 }
 
 #endif

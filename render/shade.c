@@ -119,10 +119,10 @@ static Rgb lit_by_light(const Shadow *shadow, const LayerAt *layers, int n, cons
     LightAt lit = light_at(l, l->position, at->point);
     bool is_facing = vec_dot(at->normal, lit.direction) >= GRAZING_LIGHT;
     if (!is_facing && !is_spread && !any_lit_from_behind(layers, n) && !is_double_illuminated(at->hit)) return rgb(0, 0, 0);
-    Rgb full = lit.color;
-    if (quality >= Q_SHADOWS) lit.color = shadow_light(shadow, l, &lit);
-    if (is_nothing(lit.color)) return lit.color;
-    if (is_spread) return lit_by_area(at, layers, n, l, quotient(lit.color, full));
+    Rgb arriving = quality >= Q_SHADOWS ? shadow_light(shadow, l, &lit) : lit.color;
+    if (is_nothing(arriving)) return arriving;
+    if (is_spread) return lit_by_area(at, layers, n, l, quotient(arriving, lit.color));
+    lit.color = arriving;
     return lit_from(at, layers, n, l, &lit);
 }
 

@@ -214,6 +214,7 @@ void certain_prepare(Arena *a, const Surface *surface, double variation, TileTre
 /* ---- search ---- */
 
 typedef struct Search Search;
+typedef bool TakeRoot(Search *k, const Root *root, const CertainHit *hit);    /* no trim cuts it away; true: enough */
 struct Search {
     const Surface *s;
     const TileTree *tree;
@@ -222,7 +223,7 @@ struct Search {
     double length;            /* of that direction */
     uint32_t tile;            /* being solved */
     Trace *trace;
-    bool (*take)(Search *k, const Root *root, const CertainHit *hit);   /* a root that no trim cuts away; true: enough */
+    TakeRoot *take;
     bool found;
     CertainHit nearest;
     CertainList *all;         /* filled while the solver resets the scratch arena: */
@@ -329,14 +330,20 @@ static double use_frame(const Ray *r, Trace *t)
     return t->frame.length;
 }
 
+/* The fields that a search for one hit needs: not all are set to zero for each tile. */
+static inline void begin(Search *k, const Surface *s, const TileTree *tree, TakeRoot *take)
+{
+    k->s = s, k->tree = tree, k->take = take, k->found = false;
+}
+
 /* false: it is no ray. */
 static inline bool set_ray(Search *k, const Ray *r, double t_max, Trace *t)
 {
     if (!vec_is_finite(r->origin) || !vec_is_finite(r->dir)) return false;
     k->length = use_frame(r, t);
     k->ray = (PatchRay){ .origin = vec_sub(r->origin, k->tree->base), .d = t->frame.d, .n1 = t->frame.n1, .n2 = t->frame.n2,
-                         .t_min = r->t_min * k->length, .t_max = t_max * k->length };
-    if (t->root.seed == t->seed) k->ray.guess = t->root.leaf, k->ray.guess_s = t->root.s, k->ray.guess_t = t->root.t;
+                         .t_min = r->t_min * k->length, .t_max = t_max * k->length,
+                         .guess = t->root.seed == t->seed ? t->root.leaf : NULL, .guess_s = t->root.s, .guess_t = t->root.t };
     return true;
 }
 
@@ -350,7 +357,8 @@ static bool search_tiles(Search *k, const Ray *r, double t_max, Trace *t)
 
 bool certain_nearest(const Surface *s, const TileTree *tree, const Ray *r, double t_max, Trace *t, CertainHit *out)
 {
-    Search k = { .s = s, .tree = tree, .take = take_nearest };
+    Search k;
+    begin(&k, s, tree, take_nearest);
     if (!search_tiles(&k, r, t_max, t)) return false;
     *out = k.nearest;
     return true;
@@ -359,7 +367,8 @@ bool certain_nearest(const Surface *s, const TileTree *tree, const Ray *r, doubl
 bool certain_nearest_on(const Surface *s, const TileTree *tree, uint32_t tile, const Ray *r, double t_max, Trace *t,
                         CertainHit *out)
 {
-    Search k = { .s = s, .tree = tree, .take = take_nearest };
+    Search k;
+    begin(&k, s, tree, take_nearest);
     if (!set_ray(&k, r, t_max, t)) return false;
     visit_tile(&k, tile, r, &t_max, t);
     if (k.found) *out = k.nearest;
@@ -377,7 +386,8 @@ static bool is_still_blocked(Search *k, const Ray *r, double t_max, Trace *t)
 
 bool certain_any(const Surface *s, const TileTree *tree, const Ray *r, double t_max, Trace *t)
 {
-    Search k = { .s = s, .tree = tree, .take = take_any };
+    Search k;
+    begin(&k, s, tree, take_any);
     if (is_still_blocked(&k, r, t_max, t)) return true;
     if (!search_tiles(&k, r, t_max, t)) return false;
     blocker_note(&t->blockers, tree, k.tile);
@@ -386,7 +396,8 @@ bool certain_any(const Surface *s, const TileTree *tree, const Ray *r, double t_
 
 bool certain_any_on(const Surface *s, const TileTree *tree, uint32_t tile, const Ray *r, double t_max, Trace *t)
 {
-    Search k = { .s = s, .tree = tree, .take = take_any };
+    Search k;
+    begin(&k, s, tree, take_any);
     return set_ray(&k, r, t_max, t) && visit_tile(&k, tile, r, &t_max, t);
 }
 

@@ -8,8 +8,8 @@
 #include "render/bvh.h"
 
 typedef struct {
-    Vec3 base;                       /* what is below is about this point: far from the origin nothing is lost */
     const Tile *tiles;
+    Vec3 base;                       /* they are about this point: far from the origin nothing is lost */
     const TrimCell *const *cells;    /* what the trims say in each tile; NULL: it is wholly kept. NULL: all tiles are */
     uint32_t n_tiles;
     const Bvh *bvh;                  /* item i is tiles[i] */

@@ -7,10 +7,10 @@
 
 typedef struct {
     Shape shape;
+    TileTree tiles;              /* after preparation by `method certain`: beside the head, where rays look first */
     const Surface *surface;
+    LeafTree leaves;             /* by `method paper` */
     NurbsOptions options;
-    LeafTree leaves;             /* after preparation by `method paper` */
-    TileTree tiles;              /* by `method certain` */
     double prep_seconds;
 } NurbsShape;
 

@@ -29,7 +29,7 @@ static inline double vec_max_abs(Vec3 a)          /* components that are NaN cou
 {
     return double_max(fabs(a.x), double_max(fabs(a.y), double_max(fabs(a.z), 0)));
 }
-static inline int vec_is_finite(Vec3 a) { return isfinite(a.x) && isfinite(a.y) && isfinite(a.z); }
+static inline int vec_is_finite(Vec3 a) { return a.x * 0 + a.y * 0 + a.z * 0 == 0; }   /* inf * 0 is not a number */
 
 /* a / |a| for any finite a, however large or small (scaled first, so that nothing over- or underflows); 0 stays 0. */
 static inline Vec3 vec_normalize(Vec3 a)

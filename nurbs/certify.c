@@ -135,7 +135,7 @@ ALWAYS_INLINE bool proves_miss(const Solve *k, double ds, double dt)
 ALWAYS_INLINE bool proves_miss_by_clamping(const Solve *k, double f1, double f2)
 {
     double scale = 1 / (2 * k->c_det * k->tile->w_middle), u = k->tile->length_s, v = k->tile->length_t;
-    double g_s = (k->c12 * f2 - k->c22 * f1) * scale, g_t = (k->c21 * f1 - k->c11 * f2) * scale;   /* in shares of the tile */
+    double g_s = (k->c12 * f2 - k->c22 * f1) * scale, g_t = (k->c21 * f1 - k->c11 * f2) * scale;   /* of the tile */
     double p_s = clamped(k->s + g_s, -TILE_MARGIN, 1 + TILE_MARGIN) - k->s;
     double p_t = clamped(k->t + g_t, -TILE_MARGIN, 1 + TILE_MARGIN) - k->t;
     double least = (1 + k->contraction) / (1 - k->contraction);

@@ -36,7 +36,7 @@ static void certain_shape_prepare(Shape *s, Arena *own, Trace *t)
     NurbsShape *n = (NurbsShape *)s;
     double begin = stats_now();
     (void)t;
-    certain_prepare(own, n->surface, n->options.leaf_variation, &n->tiles);
+    tile_tree_make(own, n->surface, n->options.leaf_variation, &n->tiles);
     n->prep_seconds = stats_now() - begin;
 }
 

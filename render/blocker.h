@@ -1,5 +1,5 @@
-/* What blocked the last ray: neighbouring shadow rays mostly meet the same thing, and whether anything is met at all does not
- * depend on what is asked first. A thread remembers one item for each tree and each light, as long as it blocks. */
+/* What blocked the last ray: neighbouring shadow rays mostly meet the same thing, and whether anything is met at all does
+ * not depend on what is asked first. A thread remembers one item for each tree and each light, as long as it blocks. */
 #ifndef TRIMRAY_BLOCKER_H
 #define TRIMRAY_BLOCKER_H
 

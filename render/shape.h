@@ -41,8 +41,8 @@ typedef struct {
     void (*prepare)   (Shape *s, Arena *own, Trace *t);   /* once, when a first ray reaches the bounds; NULL: nothing */
     bool (*hit)       (const Shape *s, const Ray *r, Hit *best, Trace *t);    /* nearest in (r->t_min, best->t) */
     bool (*blocks)    (const Shape *s, const Ray *r, double t_max, Trace *t); /* any in (r->t_min, t_max); NULL: by hit() */
-    /* Its own tree of boxes, to be joined with others into the tree of a compound around it, so that a ray walks one tree and
-     * not two; prepares it, as shape_prepare_in. The compound then asks for its items one by one: as hit() and blocks().
+    /* Its own tree of boxes, to be joined with others into the tree of a compound around it, so that a ray walks one tree
+     * and not two; prepares it, as shape_prepare_in. The compound then asks for its items one by one: as hit() and blocks().
      * NULL: it has none. */
     const Bvh *(*lend)(Shape *s, Arena *own, Trace *t);
     bool (*hit_item)  (const Shape *s, uint32_t item, const Ray *r, Hit *best, Trace *t);

@@ -138,7 +138,7 @@ static void patches_are_as_near_to_the_surface_as_they_say(void **state)
         model_finish(&m, &place, NULL, 0);
         Net exact = net_of_desc(a, &m.desc, &m.net);
         TileTree tree;
-        certain_prepare(a, surface_of_shape(m.shape[CERTAIN]), 1e300, &tree);    /* a tile is a patch */
+        tile_tree_make(a, surface_of_shape(m.shape[CERTAIN]), 1e300, &tree);    /* a tile is a patch */
         for (uint32_t i = 0; i < tree.n_tiles; i++) {
             const Patch *p = tree.tiles[i].patch;
             double s = test_int(&random, 0, 4) / 4., t = test_int(&random, 0, 4) / 4.;

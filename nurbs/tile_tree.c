@@ -1,0 +1,209 @@
+/* Cutting a surface into tiles, and their tree. See tile_tree.h. */
+#include "nurbs/tile_tree.h"
+
+#include "nurbs/bezier.h"
+#include "nurbs/knots.h"
+#include "nurbs/prepare.h"
+
+#include <float.h>
+#include <string.h>
+
+/* Halving divides the variation of the derivatives by about two. What bends forever (a pole, a cusp) is left to clip.c,
+ * which refines along the ray alone. */
+#define MAX_HALVINGS 8
+
+/* The tree of boxes is the tree of halvings itself, below a halving of the grid of spans: neighbours in the parameters are
+ * neighbours in space, and nothing has to be sorted. */
+typedef struct {
+    const Surface *s;                /* its points about the tree's base */
+    double rounding;                 /* of the patches' points */
+    Vec3 to_bvh;                     /* from the tree's base to that of its boxes */
+    double variation;                /* that patches may have */
+    Arena *own, *lists;
+    Tile *tiles;
+    const TrimCell **cells;
+    BvhNode *nodes;
+    size_t n_tiles, n_cells, n_nodes, tiles_capacity, cells_capacity, nodes_capacity;
+    uint32_t n_cut, n_untested;
+    const int *spans_u, *spans_v;    /* indices of the non-empty spans */
+} Preparation;
+
+/* Room for two nodes side by side; the index of the first. */
+static uint32_t new_pair(Preparation *k)
+{
+    for (int i = 0; i < 2; i++)
+        ARENA_PUSH(k->lists, k->nodes, k->n_nodes, k->nodes_capacity) = (BvhNode){ .box = box_empty() };
+    return (uint32_t)k->n_nodes - 2;
+}
+
+/* Makes node `at` of the pair's trees, whichever are there. */
+static bool join_pair(Preparation *k, uint32_t at, uint32_t pair, bool has_first, bool has_second)
+{
+    BvhNode *n = k->nodes;
+    if (has_first && has_second) n[at] = (BvhNode){ box_union(n[pair].box, n[pair + 1].box), pair, 0 };
+    else if (has_first || has_second) n[at] = n[has_first ? pair : pair + 1];
+    return has_first || has_second;
+}
+
+/* What is cut: where it lies, and which interval of the surface's parameters that is. */
+typedef struct { const Patch *patch; TilePlace place; TrimRect rect; } Part;
+
+/* false: on a closer look it is wholly trimmed away. */
+static bool keep_tile(Preparation *k, uint32_t at, const Vec4 *net, const Part *part)
+{
+    const Surface *s = k->s;
+    const TrimCell *cell = NULL;
+    if (s->trims && trim_cell_new(k->own, k->lists, s->trims, part->rect, &cell) == TRIM_CUT) {
+        k->n_cut++;
+        return false;
+    }
+    k->n_untested += s->trims && !cell;
+    Box hull = box_moved(bezier_hull(s->k_u * s->k_v, net), vec_add(part->patch->origin, k->to_bvh));
+    k->nodes[at] = (BvhNode){ box_expand(hull, 2 * k->rounding), (uint32_t)k->n_tiles, 1 };
+    tile_make(part->patch, net, part->place, &ARENA_PUSH(k->lists, k->tiles, k->n_tiles, k->tiles_capacity));
+    if (s->trims) ARENA_PUSH(k->lists, k->cells, k->n_cells, k->cells_capacity) = cell;
+    return true;
+}
+
+typedef struct { int u, v; } Halvings;
+
+/* Which direction to halve along; false: neither is worth it. Where one is used up, what it would take away stays (a side
+ * that collapses to a pole bends by all of itself, however near one looks), and the other is halved for its own share. */
+static bool choose_halving(const Preparation *k, TileBend bend, Halvings left, bool *along_u)
+{
+    if (!(bend.variation > k->variation)) return false;
+    *along_u = bend.along_u >= bend.along_v;
+    if (*along_u ? left.u > 0 : left.v > 0) return true;
+    *along_u = !*along_u;
+    return (*along_u ? left.u : left.v) > 0 && 0.5 * (*along_u ? bend.along_u : bend.along_v) > k->variation;
+}
+
+/* Cuts the net of a part until each piece is worth a frame, below node `at`; `net` is used up. Returns whether anything of
+ * it is kept. */
+static bool grow_tiles(Preparation *k, uint32_t at, Vec4 *net, Part part, Halvings left)
+{
+    const Surface *s = k->s;
+    part.rect = tile_rect(part.patch, part.place);
+    TrimClass class = s->trims ? trim_class(s->trims, part.rect) : TRIM_KEPT;
+    k->n_cut += class == TRIM_CUT;
+    if (class == TRIM_CUT) return false;
+    bool along_u;
+    if (!choose_halving(k, tile_bend(s->k_u, s->k_v, net), left, &along_u)) return keep_tile(k, at, net, &part);
+    Vec4 first[NURBS_MAX_ORDER * NURBS_MAX_ORDER];
+    Part a = part, b = part;
+    if (along_u) {
+        a.place.ds = b.place.ds = 0.5 * part.place.ds, b.place.s0 += a.place.ds, left.u--;
+        for (int j = 0; j < s->k_v; j++) bezier_cut(s->k_u, 1, 0.5, net + j * s->k_u, first + j * s->k_u);
+    } else {
+        a.place.dt = b.place.dt = 0.5 * part.place.dt, b.place.t0 += a.place.dt, left.v--;
+        bezier_cut(s->k_v, s->k_u, 0.5, net, first);
+    }
+    uint32_t pair = new_pair(k);
+    bool has_a = grow_tiles(k, pair, first, a, left), has_b = grow_tiles(k, pair + 1, net, b, left);
+    return join_pair(k, at, pair, has_a, has_b);
+}
+
+/* One span: its patch, unless the trims leave nothing of it. */
+static bool grow_span(Preparation *k, uint32_t at, int mu_u, int mu_v)
+{
+    const Surface *s = k->s;
+    TrimRect rect = { s->tau_u[mu_u], s->tau_u[mu_u + 1], s->tau_v[mu_v], s->tau_v[mu_v + 1] };
+    if (s->trims && trim_class(s->trims, rect) == TRIM_CUT) {
+        k->n_cut++;
+        return false;
+    }
+    Vec4 net[NURBS_MAX_ORDER * NURBS_MAX_ORDER];
+    Patch *patch = ARENA_NEW(k->own, Patch);
+    prepare_close_span(s, mu_u, mu_v, net);
+    patch_make(k->own, s->k_u, s->k_v, net, k->rounding, rect, patch);
+    patch->arena = k->own;
+    memcpy(net, patch->p, (size_t)(s->k_u * s->k_v) * sizeof *net);
+    return grow_tiles(k, at, net, (Part){ patch, { 0, 0, 1, 1 }, rect }, (Halvings){ MAX_HALVINGS, MAX_HALVINGS });
+}
+
+typedef struct { int u0, u1, v0, v1; } SpanRange;    /* of spans_u, spans_v */
+
+static bool grow_spans(Preparation *k, uint32_t at, SpanRange r)
+{
+    if (r.u1 - r.u0 == 1 && r.v1 - r.v0 == 1) return grow_span(k, at, k->spans_u[r.u0], k->spans_v[r.v0]);
+    SpanRange a = r, b = r;
+    if (r.u1 - r.u0 >= r.v1 - r.v0) a.u1 = b.u0 = r.u0 + (r.u1 - r.u0) / 2;
+    else a.v1 = b.v0 = r.v0 + (r.v1 - r.v0) / 2;
+    uint32_t pair = new_pair(k);
+    bool has_a = grow_spans(k, pair, a), has_b = grow_spans(k, pair + 1, b);
+    return join_pair(k, at, pair, has_a, has_b);
+}
+
+static int *list_spans(Arena *a, int k, int n, const double *tau, int *n_spans)
+{
+    int *list = ARENA_ARRAY(a, int, n);
+    *n_spans = 0;
+    for (int i = k - 1; i < n; i++)
+        if (knots_is_span(tau, i)) list[(*n_spans)++] = i;
+    return list;
+}
+
+/* The control points about their middle: one rounding relative to the surface's own size, fma(-w, base, wx). */
+static Vec4 *points_about(Arena *a, const Surface *s, Vec3 base)
+{
+    size_t n = (size_t)s->n_u * (size_t)s->n_v;
+    Vec4 *p = arena_copy(a, s->p, n, sizeof *p);
+    for (size_t i = 0; i < n; i++) {
+        p[i].x = fma(-p[i].w, base.x, p[i].x);
+        p[i].y = fma(-p[i].w, base.y, p[i].y);
+        p[i].z = fma(-p[i].w, base.z, p[i].z);
+    }
+    return p;
+}
+
+/* How far the points of a patch may be from where exact arithmetic has them, in space: u = 2^-53 of the surface's size for
+ * each rounding. Closing a span takes 2 (k-1) combinations in each direction (bezier.h), moving the points about the base
+ * one more. Not the worst case of these, which is 8 k a direction: roundings of either sign are averaged by every
+ * combination, and neighbours close their border with the same numbers; tests hold it against exact arithmetic. Weights have
+ * been multiplied with coordinates before (surface.c), which rounds by u of these, however far off they are: of three by
+ * sqrt 3. */
+static double rounding_of_patches(const Surface *s)
+{
+    double u = 0.5 * DBL_EPSILON, farthest = 0;
+    Vec3 lo = vec(s->box.lo[0], s->box.lo[1], s->box.lo[2]), hi = vec(s->box.hi[0], s->box.hi[1], s->box.hi[2]);
+    if (!s->is_polynomial) farthest = double_max(vec_max_abs(lo), vec_max_abs(hi));
+    return u * (s->k_u + s->k_v + 8) * s->size + sqrt(3) * u * farthest;
+}
+
+/* A patch of high order is dear to keep, k_u k_v points: up to order 4 nothing changes, beyond it patches may vary more, so
+ * that their number falls about as fast as their points grow. */
+static double coarseness(const Surface *s)
+{
+    double points = s->k_u * s->k_v;
+    return points > 16 ? pow(points / 16, 0.25) : 1;
+}
+
+/* Boxes are in single precision: those of a surface that lies farther from the origin than this, in its own diagonals, are
+ * about its middle. All others share their space with the trees around them, whose work on a ray is then not done again. */
+#define FAR_OFF 16
+
+void tile_tree_make(Arena *a, const Surface *surface, double variation, TileTree *out)
+{
+    Preparation k = { .own = a, .lists = arena_new(), .rounding = rounding_of_patches(surface) };
+    k.variation = (variation > 0 ? variation : TILE_VARIATION) * coarseness(surface);
+    size_t used = arena_used(a);
+    Vec3 base = box_centre(surface->box), nowhere = { 0, 0, 0 };
+    bool is_far = vec_max_abs(base) > FAR_OFF * box_diagonal(surface->box);
+    k.to_bvh = is_far ? nowhere : base;
+    Surface about_base = *surface, *s = &about_base;
+    about_base.p = points_about(k.lists, surface, base);
+    k.s = s;
+    SpanRange all = { 0 };
+    k.spans_u = list_spans(k.lists, s->k_u, s->n_u, s->tau_u, &all.u1);
+    k.spans_v = list_spans(k.lists, s->k_v, s->n_v, s->tau_v, &all.v1);
+    uint32_t root = new_pair(&k);
+    bool has_any = grow_spans(&k, root, all);
+    *out = (TileTree){ .base = base, .bvh_base = is_far ? base : nowhere,
+                        .tiles = arena_copy(a, k.tiles, k.n_tiles, sizeof *k.tiles),
+                        .cells = s->trims ? arena_copy(a, k.cells, k.n_cells, sizeof *k.cells) : NULL,
+                        .n_tiles = (uint32_t)k.n_tiles,
+                        .bvh = bvh_from_tree(a, k.nodes, has_any ? (uint32_t)k.n_nodes : 0),
+                        .n_cut = k.n_cut, .n_untested = k.n_untested };
+    out->bytes = arena_used(a) - used;
+    arena_free(k.lists);
+}

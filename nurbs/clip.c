@@ -155,11 +155,12 @@ static double cosine_at(const Search *k, const View *v, double s, double t)
 }
 
 /* How far the depth moves if the surface moves by the rounding, where the box is too small to have derivatives: by the
- * tangent of that angle; but where the ray touches, no farther than a circle is within the rounding of its tangent. */
-static double depth_slack(const Search *k, double cosine)
+ * tangent of that angle; but where the ray touches, no farther than a curve of the patch's size is within the rounding of
+ * its tangent: a circle, if the ray sees the other side of the surface then, else a cubic. */
+static double depth_slack(const Search *k, double cosine, bool turns)
 {
-    double across = fabs(cosine), along = sqrt(double_max(1 - across * across, 0));
-    double touching = sqrt(2 * k->rounding * (k->p->radius + k->rounding));
+    double across = fabs(cosine), along = sqrt(double_max(1 - across * across, 0)), size = k->p->radius + k->rounding;
+    double touching = turns ? sqrt(2 * k->rounding * size) : cbrt(6 * k->rounding * size * size);
     return k->rounding * along < across * touching ? k->rounding * along / across : touching;
 }
 
@@ -180,10 +181,11 @@ static bool report(Search *k, const Part *n, const ViewPoint *at)
     Root root = root_at(k, &n->view, at);
     if (!is_in_reach(k, &root)) return false;
     Range range = view_depth(&n->view);
-    root.depth_error = double_max(double_max(range.hi - at->z.value, at->z.value - range.lo), 0) + k->rounding
-                     + n->view.drift * k->p->radius + depth_slack(k, cosine_at(k, &n->view, at->s, at->t));
-    root.distance += sqrt(residual2(at));
     if (!n->is_certified) set_sides(k, &n->view, at, &root);
+    double slack = depth_slack(k, cosine_at(k, &n->view, at->s, at->t), root.before != root.after);
+    double reach = double_max(double_max(range.hi - at->z.value, at->z.value - range.lo), 0);
+    root.depth_error = reach + slack + k->rounding + n->view.drift * k->p->radius;
+    root.distance += sqrt(residual2(at));
     return visit_root(k, &root);
 }
 

@@ -35,9 +35,9 @@ static bool is_before(const Truth *truth, int first, int i)
 static int root_of(const Truth *truth, int first, long double t, long double slack)
 {
     int found = -1;
-    for (int i = 0; i < truth->n && is_before(truth, first, i); i++) {
+    for (int i = 0; i < truth->n; i++) {
         bool is_in = truth->root[i].lo - slack <= t && t <= truth->root[i].hi + slack;
-        if (is_in && found != first) found = i;
+        if (is_in && found != first && is_before(truth, first, i)) found = i;
     }
     return found;
 }

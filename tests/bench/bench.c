@@ -164,6 +164,7 @@ static int run_model(const Options *o, const char *name)
     print_preparation(&b);
     print_rays(&b);
     print_ratios(&b);
+    summary_add(&b);
     for (int i = 0; i < b.n_engines; i++) b.list[i].engine->release(b.list[i].engine);
     arena_free(a);
     return 0;
@@ -177,5 +178,6 @@ int main(int argc, char **argv)
     char *names = strdup(o.models);
     for (char *name = strtok(names, ","); name; name = strtok(NULL, ",")) status |= run_model(&o, name);
     free(names);
+    print_summary();
     return status;
 }

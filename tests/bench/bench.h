@@ -94,7 +94,9 @@ void memory_reset_peak(void);
 typedef struct {
     double rays_per_second, spread;
     size_t n, stride;            /* rays of a pass */
+    int repeats;                 /* passes */
     double cycles_per_ray, cycles_per_test;   /* the latter 0: not known */
+    double newton_per_hit;       /* numerical intersections begun, over hits reported */
 } Speed;
 
 /* Median of `repeats` passes; slow engines get every stride-th ray, so that a pass takes about `budget` seconds. t has

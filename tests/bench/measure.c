@@ -58,6 +58,7 @@ Speed measure_speed(Engine *e, const RaySet *set, int repeats, double budget, do
 {
     Speed s = { .stride = 1 };
     if (set->n == 0) return s;
+    repeats = repeats < 1 ? 1 : repeats > MAX_REPEATS ? MAX_REPEATS : repeats;
     size_t probe = set->n / PROBE_RAYS + 1;
     e->shoot(e, set, probe, t);   /* takes the set, warms up */
     double guess = pass_seconds(e, set, probe, t) * (double)probe;
@@ -75,6 +76,7 @@ Speed measure_speed(Engine *e, const RaySet *set, int repeats, double budget, do
     Counters counted = e->cost.counters;
     if (e->test_seconds) s.cycles_per_test = cycles_per_second() * test_seconds(e, set, s.stride);
     e->cost.counters = counted;
+    s.repeats = repeats;
     return s;
 }
 

@@ -46,4 +46,8 @@ void print_preparation(const Bench *b);
 void print_rays(Bench *b);       /* measures, too */
 void print_ratios(const Bench *b);
 
+/* summary.c: all models side by side. */
+void summary_add(const Bench *b);
+void print_summary(void);
+
 #endif

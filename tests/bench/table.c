@@ -18,16 +18,16 @@ void print_preparation(const Bench *b)
     printf("\n");
 }
 
-static void print_counters(const Counters *c, const Speed *s, const Accuracy *a, int repeats)
+static void print_counters(const Counters *c, const Speed *s, const Accuracy *a)
 {
     if (c->leaf_tests == 0) {
         printf("| | | | | | |\n");
         return;
     }
-    double passes = repeats, rays = (double)s->n * passes, tests = (double)c->leaf_tests, hits = (double)a->hits * passes;
+    double passes = s->repeats, rays = (double)s->n * passes, tests = (double)c->leaf_tests, hits = (double)a->hits * passes;
     double boxes = (double)(c->bv_intersections + c->light_bv_intersections);
     printf("%.0f | %.2f | %.2f | %.2f | %.2f | %.2f | %.3f |\n", s->cycles_per_test, boxes / rays, tests / rays,
-           tests / double_max(hits, 1), (double)c->nurbs_tests / double_max(hits, 1),
+           tests / double_max(hits, 1), s->newton_per_hit,
            (double)c->newton_iterations / tests, (double)c->fallbacks / tests);
 }
 
@@ -37,13 +37,15 @@ static void print_row(Bench *b, int k, Entry *e)
     const RaySet *set = &b->sets[k];
     Speed s = measure_speed(e->engine, set, o->repeats, o->budget, b->answers);
     Accuracy a = measure_accuracy(&b->model, set, s.stride, b->truth[k], b->answers);
+    const Counters *c = &e->engine->cost.counters;
+    s.newton_per_hit = (double)c->nurbs_tests / double_max((double)a.hits * s.repeats, 1);
     e->speed[k] = s, e->accuracy[k] = a;
     printf("| %s | %s | %.3f | %.0f %% | %zu | %zu | %zu | %zu | ", set->name, e->name, s.rays_per_second * 1e-6,
            100 * s.spread, s.stride, a.hits, a.missed, a.wrong);
     if (set->t_max) printf("| | | ");
     else printf("%.1e | %.1e | %.1e | ", a.largest, a.rms, a.p999);
     printf("%.0f | ", s.cycles_per_ray);
-    print_counters(&e->engine->cost.counters, &s, &a, o->repeats);
+    print_counters(c, &s, &a);
     fflush(stdout);
 }
 

@@ -1,4 +1,5 @@
-/* Memory that is freed together: a list of blocks, each at least twice as large as the one before. An allocation is an
+/* Memory that is freed together: a list of blocks, each twice as large as the one before, and from some size on a quarter
+ * larger, so that little of the last one is there for nothing. An allocation is an
  * advance in the newest block. Resetting to a mark drops the blocks made since, but keeps the largest of them aside, so that
  * a scratch arena that grows and shrinks with every ray asks malloc only once. */
 #include "render/arena.h"
@@ -13,6 +14,7 @@
 
 #define ALIGNMENT ((size_t)64)         /* a cache line; enough for any type, vector registers included */
 #define FIRST_BLOCK ((size_t)4096)     /* bytes; a shape that is prepared late often needs no more */
+#define STEADY_BLOCK ((size_t)256 << 10)
 #define LARGE_BLOCK ((size_t)4 << 20)  /* from here on it will be filled for the most part: two large pages */
 
 typedef struct Block {
@@ -95,7 +97,7 @@ static Block *block_new(Arena *a, size_t bytes)
     if (size >= LARGE_BLOCK) pages_ask_large(b, HEADER + size);
     b->size = size;
     a->bytes += HEADER + size;
-    a->next_size = size <= SIZE_MAX / 4 ? 2 * size : size;
+    a->next_size = size < STEADY_BLOCK ? 2 * size : size <= SIZE_MAX / 4 ? size + size / 4 : size;
     return b;
 }
 

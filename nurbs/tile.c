@@ -26,11 +26,11 @@ static Vec3 from_floats(const float x[3]) { return vec(x[0], x[1], x[2]); }
 
 static void to_floats(Vec3 x, float out[3]) { out[0] = (float)x.x, out[1] = (float)x.y, out[2] = (float)x.z; }
 
-/* How far a net may be from the patch, where it came to by halvings one after the other: at most 16 in the preparation
- * (certain.c), and those on demand. Each coordinate errs by 3 (k - 1) u of the largest in one; ends add one more. */
+/* How far a net may be from the patch, where it came to by halvings one after the other: those of the preparation, and
+ * those on demand. Each coordinate errs by 3 (k - 1) u of the largest in one; ends add one more. */
 static double net_error(const Patch *p)
 {
-    return 0.5 * DBL_EPSILON * 3 * (p->k_u + p->k_v) * (16 + TILE_MAX_HALVINGS) * p->radius;
+    return 0.5 * DBL_EPSILON * 3 * (p->k_u + p->k_v) * (2 * TILE_FIRST_HALVINGS + TILE_MAX_HALVINGS) * p->radius;
 }
 
 /* What the bounds are computed from: the net about the tile's middle, its orders, and the frame as it is stored. */

@@ -46,7 +46,11 @@ void tile_net(const Patch *p, TilePlace place, Vec4 *net);
  * were evaluated: within 2^-53 of the patch's parameters. */
 void tile_evaluate(const Tile *tile, double *s, double *t, Vec4 *value, Vec4 *by_s, Vec4 *by_t);
 
-/* A tile is halved at most this often after the preparation. What bends forever (a pole, a cusp) and what touches a ray for
+/* Halving divides the variation of the derivatives by about two. The preparation halves at most this often in either
+ * direction: on smooth surfaces that is enough, and a wild one, of folds and cusps, has a thousand tiles a span at most. */
+#define TILE_FIRST_HALVINGS 5
+
+/* A tile is halved at most this often after the preparation, where a ray is in doubt. What bends forever (a pole, a cusp) and what touches a ray for
  * good is left to clip.c, which refines along the ray alone. */
 #define TILE_MAX_HALVINGS 10
 

@@ -8,10 +8,6 @@
 #include <float.h>
 #include <string.h>
 
-/* Halving divides the variation of the derivatives by about two. What bends forever (a pole, a cusp) is left to clip.c,
- * which refines along the ray alone. */
-#define MAX_HALVINGS 8
-
 /* The tree of boxes is the tree of halvings itself, below a halving of the grid of spans: neighbours in the parameters are
  * neighbours in space, and nothing has to be sorted. */
 typedef struct {
@@ -118,7 +114,7 @@ static bool grow_span(Preparation *k, uint32_t at, int mu_u, int mu_v)
     patch_make(k->own, s->k_u, s->k_v, net, k->rounding, rect, patch);
     patch->arena = k->own;
     memcpy(net, patch->p, (size_t)(s->k_u * s->k_v) * sizeof *net);
-    return grow_tiles(k, at, net, (Part){ patch, { 0, 0, 1, 1 }, rect }, (Halvings){ MAX_HALVINGS, MAX_HALVINGS });
+    return grow_tiles(k, at, net, (Part){ patch, { 0, 0, 1, 1 }, rect }, (Halvings){ TILE_FIRST_HALVINGS, TILE_FIRST_HALVINGS });
 }
 
 typedef struct { int u0, u1, v0, v1; } SpanRange;    /* of spans_u, spans_v */

@@ -238,7 +238,7 @@ static bool settle_near_ray(Search *k, Part *n, double error, const ViewPoint *a
 /* A box that cannot be told from the ray, or a needle through it. */
 static bool settle_on_ray(Search *k, Part *n, double error, double length, const ViewPoint *at)
 {
-    if (k->patience < 0 || !runs_in_surface(k, n, length)) return settle_near_ray(k, n, error, at);
+    if (k->patience < 0 || !is_on_ray(at, error) || !runs_in_surface(k, n, length)) return settle_near_ray(k, n, error, at);
     Lengths depths = view_depths(&n->view);
     return halve(k, n, depths.by_s >= depths.by_t);
 }

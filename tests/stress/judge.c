@@ -31,13 +31,16 @@ static bool is_before(const Truth *truth, int first, int i)
     return i <= first || (first < truth->n && truth->root[i].lo <= truth->root[first].hi);
 }
 
-/* Which root the hit may be, the first that must be met or one before it; -1: none. */
+static long double distance_to(const TruthRoot *x, long double t) { return fmaxl(0, fmaxl(x->lo - t, t - x->hi)); }
+
+/* Which root the hit may be, of those up to the first that must be met: the nearest, and that one if two are as near; -1:
+ * none is within the slack. */
 static int root_of(const Truth *truth, int first, long double t, long double slack)
 {
     int found = -1;
     for (int i = 0; i < truth->n; i++) {
-        bool is_in = truth->root[i].lo - slack <= t && t <= truth->root[i].hi + slack;
-        if (is_in && found != first && is_before(truth, first, i)) found = i;
+        long double d = distance_to(&truth->root[i], t), least = found < 0 ? slack : distance_to(&truth->root[found], t);
+        if (is_before(truth, first, i) && (found < 0 || i == first ? d <= least : d < least)) found = i;
     }
     return found;
 }

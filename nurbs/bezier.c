@@ -72,9 +72,13 @@ Vec4 bezier_point(int k, const Vec4 p[], double s)
 
 Box bezier_hull(int n, const Vec4 p[])
 {
-    Box b = box_empty();
-    for (int i = 0; i < n; i++) b = box_add_point(b, vec4_project(p[i]));
-    return b;
+    Vec3 lo = vec4_project(p[0]), hi = lo;
+    for (int i = 1; i < n; i++) {
+        Vec3 q = vec4_project(p[i]);
+        lo = vec(double_min(lo.x, q.x), double_min(lo.y, q.y), double_min(lo.z, q.z));
+        hi = vec(double_max(hi.x, q.x), double_max(hi.y, q.y), double_max(hi.z, q.z));
+    }
+    return box_from(lo, hi);
 }
 
 /* The largest derivative of order (a, b), of the points and of the weights: its control points are differences. */

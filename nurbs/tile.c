@@ -83,9 +83,9 @@ void tile_net(const Patch *p, TilePlace at, Vec4 *net)
 
 static double net_radius(const Vec4 *net, int n)
 {
-    double radius = 0;
-    for (int i = 0; i < n; i++) radius = double_max(radius, vec_length(vec4_project(net[i])));
-    return radius;
+    double most2 = 0;
+    for (int i = 0; i < n; i++) most2 = double_max(most2, vec_length2(xyz(net[i])) / (net[i].w * net[i].w));
+    return sqrt(most2);
 }
 
 static bool is_positive(const Vec4 *net, int n)
@@ -231,17 +231,17 @@ TrimRect tile_rect(const Patch *p, TilePlace at)
 
 /* ---- is it worth a frame? ---- */
 
-/* The longest second difference of the net: steps of a and b points. */
+/* The longest second difference of the net: steps of a and b points; of the weights, times the radius. */
 static double longest_difference(int k_u, const Vec4 *net, double radius, int a, int b, int n_i, int n_j)
 {
-    double most = 0;
+    double most2 = 0, most_w = 0;
     for (int j = 0; j < n_j; j++)
         for (int i = 0; i < n_i; i++) {
             const Vec4 *q = net + j * k_u + i;
             Vec4 d = vec4_sub(vec4_sub(q[a + b], q[a]), vec4_sub(q[b], q[0]));
-            most = double_max(most, vec_length(xyz(d)) + radius * fabs(d.w));
+            most2 = double_max(most2, vec_length2(xyz(d))), most_w = double_max(most_w, fabs(d.w));
         }
-    return most;
+    return sqrt(most2) + radius * most_w;
 }
 
 /* The derivatives change by at most their own derivatives' coefficients, times half the interval. */

@@ -50,8 +50,8 @@ void tile_evaluate(const Tile *tile, double *s, double *t, Vec4 *value, Vec4 *by
  * direction: on smooth surfaces that is enough, and a wild one, of folds and cusps, has a thousand tiles a span at most. */
 #define TILE_FIRST_HALVINGS 5
 
-/* A tile is halved at most this often after the preparation, where a ray is in doubt. What bends forever (a pole, a cusp) and what touches a ray for
- * good is left to clip.c, which refines along the ray alone. */
+/* A tile is halved at most this often after the preparation, where a ray is in doubt. What bends forever (a pole, a cusp)
+ * and what touches a ray for good is left to clip.c, which refines along the ray alone. */
 #define TILE_MAX_HALVINGS 10
 
 /* Its two halves, made by whichever thread asks first; NULL: it has been halved often enough. */

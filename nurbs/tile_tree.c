@@ -114,7 +114,8 @@ static bool grow_span(Preparation *k, uint32_t at, int mu_u, int mu_v)
     patch_make(k->own, s->k_u, s->k_v, net, k->rounding, rect, patch);
     patch->arena = k->own;
     memcpy(net, patch->p, (size_t)(s->k_u * s->k_v) * sizeof *net);
-    return grow_tiles(k, at, net, (Part){ patch, { 0, 0, 1, 1 }, rect }, (Halvings){ TILE_FIRST_HALVINGS, TILE_FIRST_HALVINGS });
+    Halvings all = { TILE_FIRST_HALVINGS, TILE_FIRST_HALVINGS };
+    return grow_tiles(k, at, net, (Part){ patch, { 0, 0, 1, 1 }, rect }, all);
 }
 
 typedef struct { int u0, u1, v0, v1; } SpanRange;    /* of spans_u, spans_v */

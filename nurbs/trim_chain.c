@@ -250,8 +250,8 @@ int trim_chain_next(const TrimChain *c, TrimRect r, int from)
     return -1;
 }
 
-/* r touches the arc's box from below or from above: at this height the arc is at its end, or, by that vertex's low part, near
- * it or nowhere. */
+/* r touches the arc's box from below or from above: at this height the arc is at its end, or, by that vertex's low part,
+ * near it or nowhere. */
 static bool arc_meets_height(const TrimPath *path, int i, double u0, double u1, double v)
 {
     WidePoint from = trim_vertex(path, i), to = trim_vertex(path, i + 1), at = wide_point(vec2(u1, v));

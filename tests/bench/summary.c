@@ -55,7 +55,7 @@ static void print_number(double x, double scale, int digits)
 
 static void print_own(void)
 {
-    printf("`certain`; rays in millions a second, cycles of a leaf test and Newton tests of a reported hit for camera rays.\n\n"
+    printf("`certain`: rays in millions a second; cycles of a leaf test and Newton tests of a hit, for camera rays.\n\n"
            "| model | surfaces | leaves | preparation, ms | held, MB |");
     for (int k = 0; k < MAX_SETS && set_names[k]; k++) printf(" %s |", set_names[k]);
     printf(" cycles a test | Newton tests a hit |\n|---|---:|---:|---:|---:|---:|---:|");

@@ -97,7 +97,8 @@ static Block *block_new(Arena *a, size_t bytes)
     if (size >= LARGE_BLOCK) pages_ask_large(b, HEADER + size);
     b->size = size;
     a->bytes += HEADER + size;
-    a->next_size = size < STEADY_BLOCK ? 2 * size : size <= SIZE_MAX / 4 ? size + size / 4 : size;
+    size_t quarter = size / 4 / ALIGNMENT * ALIGNMENT;   /* sizes stay multiples of it, as aligned_alloc wants */
+    a->next_size = size < STEADY_BLOCK ? 2 * size : size <= SIZE_MAX / 4 ? size + quarter : size;
     return b;
 }
 

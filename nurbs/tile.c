@@ -79,6 +79,19 @@ void tile_net(const Patch *p, TilePlace at, Vec4 *net)
     net_restrict(p->k_u, p->k_v, net, at.s0, at.s0 + at.ds, at.t0, at.t0 + at.dt);
 }
 
+TilePlaces tile_cut(const Patch *p, TilePlace at, bool along_u, Vec4 *net, Vec4 *first)
+{
+    TilePlaces out = { at, at };
+    if (along_u) {
+        out.first.ds = out.second.ds = 0.5 * at.ds, out.second.s0 += out.first.ds;
+        for (int j = 0; j < p->k_v; j++) bezier_cut(p->k_u, 1, 0.5, net + j * p->k_u, first + j * p->k_u);
+    } else {
+        out.first.dt = out.second.dt = 0.5 * at.dt, out.second.t0 += out.first.dt;
+        bezier_cut(p->k_v, p->k_u, 0.5, net, first);
+    }
+    return out;
+}
+
 /* ---- radius and variation, with the margin ---- */
 
 static double net_radius(const Vec4 *net, int n)
@@ -280,19 +293,12 @@ static const Tile *make_halves(const Tile *tile)
     const Patch *p = tile->patch;
     Tile *out = ARENA_ARRAY(p->arena, Tile, 2);
     Vec4 net[NURBS_MAX_ORDER * NURBS_MAX_ORDER], first[NURBS_MAX_ORDER * NURBS_MAX_ORDER];
-    TilePlace a = { tile->s0, tile->t0, tile->ds, tile->dt }, b = a;
-    tile_net(p, a, net);
+    TilePlace place = { tile->s0, tile->t0, tile->ds, tile->dt };
+    tile_net(p, place, net);
     TileBend bend = tile_bend(p->k_u, p->k_v, net);
-    bool along_u = !(bend.along_u < bend.along_v);
-    if (along_u) {
-        a.ds = b.ds = 0.5 * a.ds, b.s0 += a.ds;
-        for (int j = 0; j < p->k_v; j++) bezier_cut(p->k_u, 1, 0.5, net + j * p->k_u, first + j * p->k_u);
-    } else {
-        a.dt = b.dt = 0.5 * a.dt, b.t0 += a.dt;
-        bezier_cut(p->k_v, p->k_u, 0.5, net, first);
-    }
-    tile_make(p, first, a, &out[0]);
-    tile_make(p, net, b, &out[1]);
+    TilePlaces halves = tile_cut(p, place, !(bend.along_u < bend.along_v), net, first);
+    tile_make(p, first, halves.first, &out[0]);
+    tile_make(p, net, halves.second, &out[1]);
     out[0].n_halvings = out[1].n_halvings = tile->n_halvings + 1;
     return out;
 }

@@ -42,6 +42,10 @@ void tile_make(const Patch *p, const Vec4 *net, TilePlace place, Tile *out);
 /* The net of a patch over a place within it. */
 void tile_net(const Patch *p, TilePlace place, Vec4 *net);
 
+/* Halves a place and the net over it: `net` becomes that of the second half. */
+typedef struct { TilePlace first, second; } TilePlaces;
+TilePlaces tile_cut(const Patch *p, TilePlace place, bool along_u, Vec4 *net, Vec4 *first);
+
 /* The homogeneous numerator and its derivatives by s and t of the tile: about the patch's origin. s and t become those that
  * were evaluated: within 2^-53 of the patch's parameters. */
 void tile_evaluate(const Tile *tile, double *s, double *t, Vec4 *value, Vec4 *by_s, Vec4 *by_t);

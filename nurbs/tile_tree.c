@@ -86,14 +86,10 @@ static bool grow_tiles(Preparation *k, uint32_t at, Vec4 *net, Part part, Halvin
     bool along_u;
     if (!choose_halving(k, tile_bend(s->k_u, s->k_v, net), left, &along_u)) return keep_tile(k, at, net, &part);
     Vec4 first[NURBS_MAX_ORDER * NURBS_MAX_ORDER];
+    *(along_u ? &left.u : &left.v) -= 1;
+    TilePlaces halves = tile_cut(part.patch, part.place, along_u, net, first);
     Part a = part, b = part;
-    if (along_u) {
-        a.place.ds = b.place.ds = 0.5 * part.place.ds, b.place.s0 += a.place.ds, left.u--;
-        for (int j = 0; j < s->k_v; j++) bezier_cut(s->k_u, 1, 0.5, net + j * s->k_u, first + j * s->k_u);
-    } else {
-        a.place.dt = b.place.dt = 0.5 * part.place.dt, b.place.t0 += a.place.dt, left.v--;
-        bezier_cut(s->k_v, s->k_u, 0.5, net, first);
-    }
+    a.place = halves.first, b.place = halves.second;
     uint32_t pair = new_pair(k);
     bool has_a = grow_tiles(k, pair, first, a, left), has_b = grow_tiles(k, pair + 1, net, b, left);
     return join_pair(k, at, pair, has_a, has_b);

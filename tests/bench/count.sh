@@ -1,5 +1,5 @@
 #!/bin/sh
-# Instructions per ray of the three runs of count.c, by callgrind, against those recorded in counts.txt: 5 % more fails.
+# Instructions per ray of the runs of count.c, by callgrind, against those recorded in counts.txt: 5 % more fails.
 #   count.sh COUNT [--record]
 # Status 77 (skipped): no valgrind, or the record was made with another compiler or kind of build, whose counts say nothing.
 set -eu

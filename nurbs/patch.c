@@ -33,6 +33,7 @@ void patch_evaluate(const Patch *p, double s, double t, Vec4 *value, Vec4 *by_s,
 }
 
 /* The points about the patch's own middle. One rounding a coordinate: fma(-w, o, wx). */
+EVERY_X86
 void patch_move_origin(Patch *p, Vec4 *points)
 {
     Vec4 value, by_s, by_t;

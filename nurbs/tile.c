@@ -42,7 +42,8 @@ typedef struct {
 
 /* In a function of its own: gcc 12 was seen to pass on, in place of what it stores in single precision, what it stored it
  * from. */
-__attribute__((noinline)) static void make_source(const Tile *f, const Vec4 *net, Source *out)
+EVERY_X86 __attribute__((noinline))
+static void make_source(const Tile *f, const Vec4 *net, Source *out)
 {
     const Patch *p = f->patch;
     Vec3 middle = from_floats(f->middle);
@@ -56,7 +57,7 @@ __attribute__((noinline)) static void make_source(const Tile *f, const Vec4 *net
 
 /* One row of k points, `stride` apart, on the interval [x0, x1] of its own [0, 1] (which may reach beyond): de Casteljau at
  * x1, keeping the left part, then at x0/x1, keeping the right one. */
-static void row_restrict(Vec4 *p, int k, int stride, double x0, double x1)
+ALWAYS_INLINE void row_restrict(Vec4 *p, int k, int stride, double x0, double x1)
 {
     for (int n = 1; n < k && x1 != 1; n++)
         for (int i = k - 1; i >= n; i--)
@@ -67,12 +68,13 @@ static void row_restrict(Vec4 *p, int k, int stride, double x0, double x1)
             p[i * stride] = vec4_lerp(p[i * stride], p[(i + 1) * stride], x);
 }
 
-static void net_restrict(int k_u, int k_v, Vec4 *net, double s0, double s1, double t0, double t1)
+ALWAYS_INLINE void net_restrict(int k_u, int k_v, Vec4 *net, double s0, double s1, double t0, double t1)
 {
     for (int j = 0; j < k_v; j++) row_restrict(net + j * k_u, k_u, 1, s0, s1);
     for (int i = 0; i < k_u; i++) row_restrict(net + i, k_v, k_u, t0, t1);
 }
 
+EVERY_X86
 void tile_net(const Patch *p, TilePlace at, Vec4 *net)
 {
     for (int i = 0; i < p->k_u * p->k_v; i++) net[i] = p->p[i];
@@ -94,14 +96,14 @@ TilePlaces tile_cut(const Patch *p, TilePlace at, bool along_u, Vec4 *net, Vec4 
 
 /* ---- radius and variation, with the margin ---- */
 
-static double net_radius(const Vec4 *net, int n)
+ALWAYS_INLINE double net_radius(const Vec4 *net, int n)
 {
     double most2 = 0;
     for (int i = 0; i < n; i++) most2 = double_max(most2, vec_length2(xyz(net[i])) / (net[i].w * net[i].w));
     return sqrt(most2);
 }
 
-static bool is_positive(const Vec4 *net, int n)
+ALWAYS_INLINE bool is_positive(const Vec4 *net, int n)
 {
     for (int i = 0; i < n; i++)
         if (!(net[i].w > 0)) return false;
@@ -110,7 +112,7 @@ static bool is_positive(const Vec4 *net, int n)
 
 /* Largest distance of the Bernstein coefficients of a derivative of the net from `middle`, and of its weight from 0. step is
  * the distance of neighbours along the derivative's direction, scale the degree over the interval's length. */
-static void derivative_spread(const Source *p, const Vec4 *net, int step, double scale, Vec3 middle,
+ALWAYS_INLINE void derivative_spread(const Source *p, const Vec4 *net, int step, double scale, Vec3 middle,
                               double *spread, double *w_spread)
 {
     int n_i = step == 1 ? p->k_u - 1 : p->k_u, n_j = step == 1 ? p->k_v : p->k_v - 1;
@@ -127,7 +129,7 @@ static void derivative_spread(const Source *p, const Vec4 *net, int step, double
 }
 
 /* Sets radius and variation of the tile, whose frame is there. */
-static void bound_variation(const Source *p, Tile *out)
+ALWAYS_INLINE void bound_variation(const Source *p, Tile *out)
 {
     int n = p->k_u * p->k_v;
     Vec4 net[NURBS_MAX_ORDER * NURBS_MAX_ORDER];
@@ -154,7 +156,7 @@ static void bound_variation(const Source *p, Tile *out)
 
 /* Coefficient (i, j) of a tensor product polynomial times (u0 (1-s) + u1 s) (v0 (1-t) + v1 t), one order more in both: the
  * Bernstein product formula, [Far02]. Points have four components; those beyond the net count as zero. */
-static Vec4 product_coefficient(const Source *p, int i, int j, double u0, double u1, double v0, double v1)
+ALWAYS_INLINE Vec4 product_coefficient(const Source *p, int i, int j, double u0, double u1, double v0, double v1)
 {
     Vec4 sum = { 0 };
     for (int b = 0; b < 2; b++)
@@ -168,7 +170,7 @@ static Vec4 product_coefficient(const Source *p, int i, int j, double u0, double
 }
 
 /* With equal weights S - L itself has the order of S: L's coefficients are its values at the Greville abscissae. */
-static double polynomial_deviation(const Source *p)
+ALWAYS_INLINE double polynomial_deviation(const Source *p)
 {
     double most2 = 0;
     for (int j = 0; j < p->k_v; j++) {
@@ -182,7 +184,7 @@ static double polynomial_deviation(const Source *p)
 }
 
 /* The Bernstein coefficients of w (S - L), of order k_u + 1 by k_v + 1, over the least weight. */
-static double rational_deviation(const Source *p)
+ALWAYS_INLINE double rational_deviation(const Source *p)
 {
     double most2 = 0, w_min = INFINITY;
     for (int i = 0; i < p->k_u * p->k_v; i++) w_min = double_min(w_min, p->net[i].w);
@@ -223,6 +225,7 @@ static void set_frame(const Patch *p, const Vec4 *net, Tile *out)
     out->w_middle = p->is_polynomial ? 1 : (float)value.w;
 }
 
+EVERY_X86
 void tile_make(const Patch *p, const Vec4 *net, TilePlace place, Tile *out)
 {
     *out = (Tile){ .patch = p, .s0 = (float)place.s0, .t0 = (float)place.t0, .ds = (float)place.ds, .dt = (float)place.dt };
@@ -245,7 +248,7 @@ TrimRect tile_rect(const Patch *p, TilePlace at)
 /* ---- is it worth a frame? ---- */
 
 /* The longest second difference of the net: steps of a and b points; of the weights, times the radius. */
-static double longest_difference(int k_u, const Vec4 *net, double radius, int a, int b, int n_i, int n_j)
+ALWAYS_INLINE double longest_difference(int k_u, const Vec4 *net, double radius, int a, int b, int n_i, int n_j)
 {
     double most2 = 0, most_w = 0;
     for (int j = 0; j < n_j; j++)
@@ -258,6 +261,7 @@ static double longest_difference(int k_u, const Vec4 *net, double radius, int a,
 }
 
 /* The derivatives change by at most their own derivatives' coefficients, times half the interval. */
+EVERY_X86
 TileBend tile_bend(int k_u, int k_v, const Vec4 *points)
 {
     Vec4 net[NURBS_MAX_ORDER * NURBS_MAX_ORDER], value, by_s, by_t;

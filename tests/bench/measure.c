@@ -4,7 +4,7 @@
 #include <string.h>
 #include <time.h>
 
-enum { PROBE_RAYS = 512, MAX_REPEATS = 15 };
+enum { FEW_RAYS = 48, PROBE_RAYS = 512, MAX_REPEATS = 15 };
 
 static int by_size(const void *a, const void *b)
 {
@@ -59,8 +59,9 @@ Speed measure_speed(Engine *e, const RaySet *set, int repeats, double budget, do
     Speed s = { .stride = 1 };
     if (set->n == 0) return s;
     repeats = repeats < 1 ? 1 : repeats > MAX_REPEATS ? MAX_REPEATS : repeats;
-    size_t probe = set->n / PROBE_RAYS + 1;
-    e->shoot(e, set, probe, t);   /* takes the set, warms up */
+    size_t few = set->n / FEW_RAYS + 1, probe = set->n / PROBE_RAYS + 1;
+    e->shoot(e, set, few, t);     /* takes the set, warms up */
+    if (pass_seconds(e, set, few, t) * PROBE_RAYS > budget * FEW_RAYS) probe = few;    /* some take hours for all */
     double guess = pass_seconds(e, set, probe, t) * (double)probe;
     if (guess > budget) s.stride = (size_t)ceil(guess / budget);
     if (s.stride > probe) s.stride = probe;

@@ -23,12 +23,12 @@ rows field "$work/all.md" >"$work/field"
 rows trims "$work/all.md" >"$work/trims"
 
 gnuplot <<END
-set terminal svg size 900, 360 font "sans-serif, 12"
+set terminal svg size 900, 440 font "sans-serif, 12"
 set multiplot layout 1, 2
 set logscale xy
 set format x "10^{%T}"
 set format y "10^{%T}"
-set key bottom left
+set key below samplen 2
 set grid
 do for [kind in "field trims"] {
     set xlabel kind eq "field" ? "surfaces" : "trim pieces"

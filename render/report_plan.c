@@ -4,7 +4,7 @@
 #include <string.h>
 
 /* Chord errors are in units of the scene's size. POV-Ray is spared the finest: it reads meshes as text. */
-static const double variations[] = { 1.4, 1, .7, .5, .35, .25, .15, .1, 0 }, quick_variations[] = { 1, .35, .15, 0 };
+static const double variations[] = { 1.4, 1, .7, .5, .35, .25, .15, .1, 0 }, quick_variations[] = { 1, .25, .1, 0 };
 static const double flatnesses[] = { .1, .3, 1, 3, 10, 0 }, quick_flatnesses[] = { .3, 3, 0 };
 static const double iterations[] = { 2, 3, 4, 6, 8, 10, 15, 0 }, quick_iterations[] = { 3, 10, 0 };
 static const double chords[] = { 1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 3e-5, 1e-5, 0 };
@@ -13,7 +13,7 @@ static const double povray_chords[] = { 1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 0 };
 static const double quick_povray_chords[] = { 4e-3, 1e-3, 2.5e-4, 0 };
 
 const ReportMethod report_methods[REPORT_N_SERIES] = {
-    [REPORT_CERTAIN] = { "certain", "certain", "leaf variation", "certain", variations, quick_variations, .35 },
+    [REPORT_CERTAIN] = { "certain", "certain", "leaf variation", "certain", variations, quick_variations, .25 },
     [REPORT_PAPER_FLATNESS] = { "paper-flatness", "paper", "flatness C", "paper, flatness",
                                 flatnesses, quick_flatnesses, 0 },
     [REPORT_PAPER_ITERATIONS] = { "paper-iterations", "paper", "iterations", "paper, iterations",

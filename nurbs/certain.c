@@ -22,12 +22,10 @@ struct Search {
     Arena *overflow;          /* what its first room does not hold */
 };
 
-static Vec3 from_floats(const float x[3]) { return vec(x[0], x[1], x[2]); }
-
 /* How far S moves in the patch's parameters for a unit step along d, at the middle of the tile: the tangent part of d. */
 static Vec2 step_along(const Tile *f, Vec3 d)
 {
-    Vec3 a = from_floats(f->half_s), b = from_floats(f->half_t);
+    Vec3 a = tile_vec(f->half_s), b = tile_vec(f->half_t);
     double aa = vec_dot(a, a), ab = vec_dot(a, b), bb = vec_dot(b, b), ad = vec_dot(a, d), bd = vec_dot(b, d);
     double det = 2 * (aa * bb - ab * ab);
     return vec2(f->ds * (bb * ad - ab * bd) / det, f->dt * (aa * bd - ab * ad) / det);

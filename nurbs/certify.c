@@ -188,7 +188,7 @@ typedef enum { FRAME_MISS, FRAME_ONE_AT_MOST, FRAME_UNDECIDED, FRAME_HOPELESS } 
 ALWAYS_INLINE FrameResult frame_test(Solve *k)
 {
     const Tile *f = k->tile;
-    Vec3 a = vec(f->half_s[0], f->half_s[1], f->half_s[2]), b = vec(f->half_t[0], f->half_t[1], f->half_t[2]);
+    Vec3 a = tile_vec(f->half_s), b = tile_vec(f->half_t);
     double u = f->length_s, v = f->length_t, slack = f->deviation + k->rounding;
     k->c11 = vec_dot(k->r->n1, a), k->c12 = vec_dot(k->r->n1, b);
     k->c21 = vec_dot(k->r->n2, a), k->c22 = vec_dot(k->r->n2, b);
@@ -215,7 +215,7 @@ ALWAYS_INLINE bool set_up(Solve *k)
     const Tile *tile = k->tile;
     const PatchRay *r = k->r;
     k->o = vec_sub(r->origin, k->p->origin);
-    Vec3 o = vec_sub(k->o, vec(tile->middle[0], tile->middle[1], tile->middle[2]));
+    Vec3 o = vec_sub(k->o, tile_vec(tile->middle));
     k->q1 = vec_dot(r->n1, o), k->q2 = vec_dot(r->n2, o), k->rounding = patch_rounding(k->p, k->o);
     double depth = -vec_dot(r->d, o), reach = tile->radius + k->rounding;
     return !(k->q1 * k->q1 + k->q2 * k->q2 > reach * reach || depth - reach > r->t_max || depth + reach < r->t_min);

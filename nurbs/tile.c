@@ -22,7 +22,6 @@
 #define ROUNDED_UP (1 + 0x1p-42)
 
 static Vec3 xyz(Vec4 p) { return vec(p.x, p.y, p.z); }
-static Vec3 from_floats(const float x[3]) { return vec(x[0], x[1], x[2]); }
 
 static void to_floats(Vec3 x, float out[3]) { out[0] = (float)x.x, out[1] = (float)x.y, out[2] = (float)x.z; }
 
@@ -46,14 +45,13 @@ EVERY_X86 __attribute__((noinline))
 static void make_source(const Tile *f, const Vec4 *net, Source *out)
 {
     const Patch *p = f->patch;
-    Vec3 middle = from_floats(f->middle);
-    out->k_u = p->k_u, out->k_v = p->k_v, out->half_s = from_floats(f->half_s), out->half_t = from_floats(f->half_t);
+    Vec3 middle = tile_vec(f->middle);
+    out->k_u = p->k_u, out->k_v = p->k_v, out->half_s = tile_vec(f->half_s), out->half_t = tile_vec(f->half_t);
     for (int i = 0; i < p->k_u * p->k_v; i++) {
         Vec4 q = net[i];
         out->net[i] = vec4(fma(-q.w, middle.x, q.x), fma(-q.w, middle.y, q.y), fma(-q.w, middle.z, q.z), q.w);
     }
 }
-
 
 /* One row of k points, `stride` apart, on the interval [x0, x1] of its own [0, 1] (which may reach beyond): de Casteljau at
  * x1, keeping the left part, then at x0/x1, keeping the right one. */

@@ -35,6 +35,8 @@ struct Tile {
     uint32_t n_halvings;             /* since the preparation */
 };
 
+static inline Vec3 tile_vec(const float x[3]) { return vec(x[0], x[1], x[2]); }
+
 /* From the net over the tile, k_u * k_v homogeneous points about the patch's origin. place: s0, t0, ds, dt. */
 typedef struct { double s0, t0, ds, dt; } TilePlace;
 void tile_make(const Patch *p, const Vec4 *net, TilePlace place, Tile *out);

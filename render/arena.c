@@ -1,7 +1,7 @@
 /* Memory that is freed together: a list of blocks, each twice as large as the one before, and from some size on a quarter
- * larger, so that little of the last one is there for nothing. An allocation is an
- * advance in the newest block. Resetting to a mark drops the blocks made since, but keeps the largest of them aside, so that
- * a scratch arena that grows and shrinks with every ray asks malloc only once. */
+ * larger, so that little of the last one is there for nothing. An allocation is an advance in the newest block. Resetting to
+ * a mark drops the blocks made since, but keeps the largest of them aside, so that a scratch arena that grows and shrinks
+ * with every ray asks malloc only once. */
 #include "render/arena.h"
 
 #include "render/pages.h"

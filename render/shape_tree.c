@@ -35,6 +35,9 @@ static void rank_parts(Part *parts, uint32_t n, const uint32_t *unbounded, uint3
     }
 }
 
+/* What stands in a tree for a part with these bounds; empty: they have no end, or there is nothing in them. */
+static Box tree_box(Box bounds) { return box_is_finite(bounds) ? bounds : box_empty(); }
+
 ShapeTree *shape_tree_build(Arena *a, Shape *const shapes[], const unsigned char *flags, uint32_t n, bool unbounded_first)
 {
     ShapeTree *tree = ARENA_NEW(a, ShapeTree);
@@ -45,10 +48,9 @@ ShapeTree *shape_tree_build(Arena *a, Shape *const shapes[], const unsigned char
     for (uint32_t i = 0; i < n; i++) {
         parts[i] = (Part){ shapes[i], index, 0, flags ? flags[i] : 0 };
         index += shapes[i]->n_primitives;
-        boxes[i] = shape_bounds(shapes[i]);
-        if (box_is_empty(boxes[i]) || box_is_finite(boxes[i])) continue;
-        boxes[i] = box_empty();
-        unbounded[tree->n_unbounded++] = i;
+        Box bounds = shape_bounds(shapes[i]);
+        boxes[i] = tree_box(bounds);
+        if (!box_is_empty(bounds) && box_is_empty(boxes[i])) unbounded[tree->n_unbounded++] = i;
     }
     rank_parts(parts, n, unbounded, tree->n_unbounded, unbounded_first);
     tree->parts = parts, tree->n = n;
@@ -58,13 +60,6 @@ ShapeTree *shape_tree_build(Arena *a, Shape *const shapes[], const unsigned char
     return tree;
 }
 
-static bool is_unbounded(const ShapeTree *tree, uint32_t part)
-{
-    for (uint32_t k = 0; k < tree->n_unbounded; k++)
-        if (tree->unbounded[k] == part) return true;
-    return false;
-}
-
 /* The tree of each part that lends one, and the boxes of the others; the number of parts that do. */
 static uint32_t borrow_trees(const ShapeTree *tree, Arena *own, const Bvh **lent, Box *boxes, Trace *t)
 {
@@ -72,7 +67,7 @@ static uint32_t borrow_trees(const ShapeTree *tree, Arena *own, const Bvh **lent
     for (uint32_t i = 0; i < tree->n; i++) {
         Shape *s = (Shape *)tree->parts[i].shape;    /* preparing it is the one change that is made to a shape */
         lent[i] = s->type->lend ? s->type->lend(s, own, t) : NULL;
-        boxes[i] = lent[i] ? bvh_bounds(lent[i]) : is_unbounded(tree, i) ? box_empty() : shape_bounds(s);
+        boxes[i] = lent[i] ? bvh_bounds(lent[i]) : tree_box(shape_bounds(s));
         n_lent += lent[i] != NULL;
     }
     return n_lent;
@@ -94,6 +89,14 @@ void shape_tree_join(ShapeTree *tree, Arena *a, Trace *t)
         tree->joined = bvh_join(a, boxes, lent, first, tree->n);
     }
     arena_free(scratch);
+}
+
+/* The tree for one hit, and what its items are. */
+static const Bvh *tree_searched(const ShapeTree *tree) { return tree->joined ? tree->joined : tree->bvh; }
+
+static Item item_at(const ShapeTree *tree, uint32_t i)
+{
+    return tree->joined ? tree->items[i] : (Item){ i, ALL_OF_IT };
 }
 
 /* An item of the tree that is searched, alone. */
@@ -135,22 +138,17 @@ static bool meet_nearest(Search *s, Item i, const Ray *r, double *t_max, Trace *
 
 static bool visit_nearest(void *context, uint32_t i, const Ray *r, double *t_max, Trace *t)
 {
-    return meet_nearest(context, (Item){ i, ALL_OF_IT }, r, t_max, t);
-}
-
-static bool visit_joined(void *context, uint32_t i, const Ray *r, double *t_max, Trace *t)
-{
     Search *s = context;
-    return meet_nearest(s, s->tree->items[i], r, t_max, t);
+    return meet_nearest(s, item_at(s->tree, i), r, t_max, t);
 }
 
 bool shape_tree_hit(const ShapeTree *tree, const Ray *r, unsigned skip, Hit *best, Trace *t)
 {
     Search s = { tree, skip, best, -1 };
     double t_max = best->t;
-    for (uint32_t i = 0; i < tree->n_unbounded; i++) visit_nearest(&s, tree->unbounded[i], r, &t_max, t);
-    if (tree->joined) bvh_traverse(tree->joined, r, &t_max, visit_joined, &s, t);
-    else bvh_traverse(tree->bvh, r, &t_max, visit_nearest, &s, t);
+    for (uint32_t i = 0; i < tree->n_unbounded; i++)
+        meet_nearest(&s, (Item){ tree->unbounded[i], ALL_OF_IT }, r, &t_max, t);
+    bvh_traverse(tree_searched(tree), r, &t_max, visit_nearest, &s, t);
     return s.best_rank >= 0;
 }
 
@@ -185,19 +183,16 @@ static bool meet_any(const Search *s, Item i, const Ray *r, const double *t_max,
 static bool visit_any(void *context, uint32_t i, const Ray *r, double *t_max, Trace *t)
 {
     const Search *s = context;
-    bool blocks = meet_any(s, s->tree->joined ? s->tree->items[i] : (Item){ i, ALL_OF_IT }, r, t_max, t);
+    bool blocks = meet_any(s, item_at(s->tree, i), r, t_max, t);
     if (blocks) blocker_note(&t->blockers, s->tree, i);
     return blocks;
 }
 
-/* What the boxes may tell a visitor. */
-static uint32_t item_count(const ShapeTree *tree) { return tree->joined ? bvh_item_count(tree->joined) : tree->n; }
-
 static bool is_still_blocked(const Search *s, const Ray *r, double t_max, Trace *t)
 {
     uint32_t i = blocker_recall(&t->blockers, s->tree);
-    if (i >= item_count(s->tree)) return false;
-    if (meet_any(s, s->tree->joined ? s->tree->items[i] : (Item){ i, ALL_OF_IT }, r, &t_max, t)) return true;
+    if (i >= bvh_item_count(tree_searched(s->tree))) return false;
+    if (meet_any(s, item_at(s->tree, i), r, &t_max, t)) return true;
     blocker_forget(&t->blockers, s->tree);
     return false;
 }
@@ -208,5 +203,5 @@ bool shape_tree_blocks(const ShapeTree *tree, const Ray *r, unsigned skip, doubl
     if (is_still_blocked(&s, r, t_max, t)) return true;
     for (uint32_t i = 0; i < tree->n_unbounded; i++)
         if (meet_any(&s, (Item){ tree->unbounded[i], ALL_OF_IT }, r, &t_max, t)) return true;
-    return bvh_traverse(tree->joined ? tree->joined : tree->bvh, r, &t_max, visit_any, &s, t);
+    return bvh_traverse(tree_searched(tree), r, &t_max, visit_any, &s, t);
 }

@@ -51,16 +51,14 @@ static Tile *random_tile(Fixture *f, TestRandom *r, double bump, double ratio)
     return new_tile(f, k_u, k_v, p, (TrimRect){ 0, 1, 0, 1 });
 }
 
-static Vec3 from_floats(const float x[3]) { return vec(x[0], x[1], x[2]); }
-
 static Vec3 point_of(const Tile *f, double s, double t)   /* about the tile's middle */
 {
     Vec4 value, by_s, by_t;
     tile_evaluate(f, &s, &t, &value, &by_s, &by_t);
-    return vec_sub(vec4_project(value), from_floats(f->middle));
+    return vec_sub(vec4_project(value), tile_vec(f->middle));
 }
 
-static Vec3 middle_of(const Tile *f) { return vec_add(f->patch->origin, from_floats(f->middle)); }
+static Vec3 middle_of(const Tile *f) { return vec_add(f->patch->origin, tile_vec(f->middle)); }
 
 /* A part of a tile, some halvings down. */
 static const Tile *random_part(TestRandom *r, const Tile *tile)
@@ -126,7 +124,7 @@ static void the_radius_and_the_deviation_bound_the_tile(void **state)
         const Tile *p = random_part(&r, random_tile(f, &r, bump, seed % 2 ? 1 : 20));
         for (int n = 0; n < 200; n++) {
             double s = test_unit(&r), t = test_unit(&r);
-            Vec3 at = point_of(p, s, t), half_s = from_floats(p->half_s), half_t = from_floats(p->half_t);
+            Vec3 at = point_of(p, s, t), half_s = tile_vec(p->half_s), half_t = tile_vec(p->half_t);
             Vec3 flat = vec_add(vec_scale(half_s, 2 * s - 1), vec_scale(half_t, 2 * t - 1));
             CHECK_WITHIN(vec_length(at), p->radius, "seed %u", seed);
             CHECK_WITHIN(vec_length(vec_sub(at, flat)), p->deviation + 1e-14, "seed %u", seed);
@@ -146,14 +144,14 @@ static void the_variation_bounds_the_derivatives(void **state)
         TestRandom r = test_random(seed);
         const Tile *p = random_part(&r, random_tile(f, &r, seed % 3 ? 0.2 : 1e-12, seed % 2 ? 1 : 3));
         if (!isfinite(p->variation)) continue;
-        Vec3 middle_s = vec_scale(from_floats(p->half_s), 2 * p->w_middle);
-        Vec3 middle_t = vec_scale(from_floats(p->half_t), 2 * p->w_middle);
+        Vec3 middle_s = vec_scale(tile_vec(p->half_s), 2 * p->w_middle);
+        Vec3 middle_t = vec_scale(tile_vec(p->half_t), 2 * p->w_middle);
         double unit_s = 2.0 * p->w_middle * p->length_s, unit_t = 2.0 * p->w_middle * p->length_t;
         for (int n = 0; n < 200; n++) {
             Vec4 value, by_s, by_t;
             double s = test_range(&r, -m, 1 + m), t = test_range(&r, -m, 1 + m);
             tile_evaluate(p, &s, &t, &value, &by_s, &by_t);
-            Vec3 x = vec_add(from_floats(p->middle), vec_scale(random_direction(&r), p->radius * test_unit(&r)));
+            Vec3 x = vec_add(tile_vec(p->middle), vec_scale(random_direction(&r), p->radius * test_unit(&r)));
             double e_s = vec_length(vec_sub(column_about(by_s, x), middle_s)) / unit_s;
             double e_t = vec_length(vec_sub(column_about(by_t, x), middle_t)) / unit_t;
             CHECK_WITHIN(hypot(e_s, e_t), p->variation + 1e-12, "seed %u", seed);

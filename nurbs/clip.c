@@ -180,7 +180,7 @@ static bool report(Search *k, const Part *n, const ViewPoint *at)
 {
     Root root = root_at(k, &n->view, at);
     if (!is_in_reach(k, &root)) return false;
-    Range range = view_depth(&n->view);
+    Range range = view_depth_on_ray(&n->view, ON_THE_RAY * (k->rounding + n->view.lost)).range;
     if (!n->is_certified) set_sides(k, &n->view, at, &root);
     double slack = depth_slack(k, cosine_at(k, &n->view, at->s, at->t), root.before != root.after);
     double reach = double_max(double_max(range.hi - at->z.value, at->z.value - range.lo), 0);
@@ -236,10 +236,12 @@ static bool settle_near_ray(Search *k, Part *n, double error, const ViewPoint *a
 }
 
 /* A box that cannot be told from the ray, or a needle through it. */
-static bool settle_on_ray(Search *k, Part *n, double error, double length, const ViewPoint *at)
+static bool settle_on_ray(Search *k, Part *n, double error, const ViewPoint *at)
 {
-    if (k->patience < 0 || !is_on_ray(at, error) || !runs_in_surface(k, n, length)) return settle_near_ray(k, n, error, at);
-    Lengths depths = view_depths(&n->view);
+    DepthOnRay depth = view_depth_on_ray(&n->view, ON_THE_RAY * error);
+    if (k->patience < 0 || !is_on_ray(at, error) || !runs_in_surface(k, n, depth.range.hi - depth.range.lo))
+        return settle_near_ray(k, n, error, at);
+    Lengths depths = view_depths(&n->view, depth.slant);
     return halve(k, n, depths.by_s >= depths.by_t);
 }
 
@@ -256,14 +258,14 @@ static bool settle_in_scratch(Search *k, Part *n)
         k->patience--;
         ViewPoint at;
         if (n->view.size <= near)
-            return at = nearest_point(k, n), settle_on_ray(k, n, over_w, depth.hi - depth.lo, &at);
+            return at = nearest_point(k, n), settle_on_ray(k, n, over_w, &at);
         if (k->patience < 0) return at = nearest_point(k, n), is_on_ray(&at, over_w) && report(k, n, &at);
 
         double across;
         ViewPart c = view_narrow(&n->view, error, k->trace->scratch, &n->is_certified, &across);
         if (c.s.lo > c.s.hi || c.t.lo > c.t.hi) return false;
         if (across <= near * e.w_max && (at = nearest_point(k, n), is_on_ray(&at, over_w)))
-            return settle_on_ray(k, n, over_w, depth.hi - depth.lo, &at);
+            return settle_on_ray(k, n, over_w, &at);
         if (n->is_certified && find_root(n, &at)) return report_root(k, n, &at);
         bool is_worth_it = c.s.hi - c.s.lo <= MIN_CLIP || c.t.hi - c.t.lo <= MIN_CLIP;
         view_restrict(&n->view, true, c.s);

@@ -153,16 +153,17 @@ static Vec2 best_slant(const View *v)
     return vec2_scale(vec2(c, s), (by_s * m.z.by_s + by_t * m.z.by_t) / (by_s * by_s + by_t * by_t));
 }
 
+static double length_of(Range r) { return r.hi - r.lo; }
+
 DepthOnRay view_depth_on_ray(const View *v, double error)
 {
-    DepthOnRay plain = { view_depth(v), { 0, 0 } }, out = { { INFINITY, -INFINITY }, best_slant(v) };
+    DepthOnRay plain = { .range = view_depth(v) }, out = { .range = { INFINITY, -INFINITY }, .slant = best_slant(v) };
+    out.slack = vec2_length(out.slant) * error;
     for (int i = 0; i < v->k_u * v->k_v; i++) {
         double d = slanted(&v->p[i], out.slant);
         out.range.lo = double_min(out.range.lo, d), out.range.hi = double_max(out.range.hi, d);
     }
-    double slack = vec2_length(out.slant) * error;
-    out.range.lo -= slack, out.range.hi += slack;
-    return out.range.hi - out.range.lo < plain.range.hi - plain.range.lo ? out : plain;
+    return length_of(out.range) + 2 * out.slack < length_of(plain.range) ? out : plain;
 }
 
 /* ---- which side is longer ---- */

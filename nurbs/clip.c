@@ -27,7 +27,9 @@ enum { PATIENCE = 1 << 15 };
 
 typedef struct {
     View view;
-    bool is_certified;       /* at most one root in it */
+    bool is_certified;       /* at most one root in it, */
+    Range strip;             /* which can be told from its neighbourhood only so far: its depth; set with has_strip */
+    bool has_strip;
     bool is_in_surface;      /* the ray runs in the surface about here */
     bool is_needle;          /* its image is one: what the ray meets is little of its depth */
 } Part;
@@ -42,7 +44,8 @@ typedef struct {
     double rounding;         /* of the plane equations over the weight */
     double middle;           /* the depth of the patch's origin */
     double extent;           /* of the depth of what a ray in this direction can meet of the tile; 0: not computed yet */
-    int declined;            /* roots that the visitor did not take as the nearest */
+    int reported;            /* roots, */
+    int declined;            /* and those that the visitor did not take as the nearest */
     bool was_halved;         /* counted once as a fallback */
     int patience;            /* boxes that may still be looked at before the search makes do with points that Newton finds */
 } Search;
@@ -122,11 +125,15 @@ static DepthOnRay on_ray(const Search *k, const Part *n)
     return view_depth_on_ray(&n->view, ON_THE_RAY * (k->rounding + n->view.lost));
 }
 
-static Range depth_of(const Search *k, const Part *n)
+static Range range_on_ray(const Search *k, const Part *n)
 {
-    if (!n->is_needle) return view_depth(&n->view);
     DepthOnRay depth = on_ray(k, n);
     return (Range){ depth.range.lo - depth.slack, depth.range.hi + depth.slack };
+}
+
+static Range depth_of(const Search *k, const Part *n)
+{
+    return n->is_needle ? range_on_ray(k, n) : view_depth(&n->view);
 }
 
 /* ---- reporting ---- */
@@ -146,6 +153,7 @@ static bool visit_root(Search *k, const Root *root)
 {
     double t_max = k->ray->t_max;
     bool ended = k->visit(k->context, k->tile, k->ray, root);
+    k->reported++;
     k->declined += k->ray->t_max >= t_max;
     return ended;
 }
@@ -221,11 +229,11 @@ static bool report(Search *k, const Part *n, const ViewPoint *at)
 {
     Root root = root_at(k, &n->view, at);
     if (!is_in_reach(k, &root)) return false;
-    DepthOnRay depth = on_ray(k, n);
+    Range depth = n->has_strip ? n->strip : range_on_ray(k, n);
     if (!n->is_certified) set_sides(k, &n->view, at, &root);
     double slack = depth_slack(k, cosine_at(k, &n->view, at->s, at->t), root.before != root.after);
-    double reach = double_max(double_max(depth.range.hi - at->z.value, at->z.value - depth.range.lo), 0);
-    root.depth_error = reach + depth.slack + slack + k->rounding + n->view.drift * k->p->radius;
+    double reach = double_max(double_max(depth.hi - at->z.value, at->z.value - depth.lo), 0);
+    root.depth_error = reach + slack + k->rounding + n->view.drift * k->p->radius;
     root.distance += sqrt(residual2(at));
     return visit_root(k, &root);
 }
@@ -234,7 +242,8 @@ static bool report(Search *k, const Part *n, const ViewPoint *at)
 
 static bool settle(Search *k, Part *n);
 
-/* Both halves, the nearer one first, so that what lies behind an accepted root is never looked at. */
+/* Both halves, the nearer one first, so that what lies behind an accepted root is never looked at. If they have one root at
+ * most, and one was reported, it is that. */
 static bool halve(Search *k, Part *n, bool along_s)
 {
     k->trace->counters.fallbacks += !k->was_halved;
@@ -243,8 +252,11 @@ static bool halve(Search *k, Part *n, bool along_s)
     other.view = view_copy(k->trace->scratch, &n->view);
     view_restrict(&n->view, along_s, (Range){ 0, 0.5 });
     view_restrict(&other.view, along_s, (Range){ 0.5, 1 });
-    bool other_first = depth_of(k, &other).lo < depth_of(k, n).lo;
-    return settle(k, other_first ? &other : n) || settle(k, other_first ? n : &other);
+    bool other_first = depth_of(k, &other).lo < depth_of(k, n).lo, is_certified = n->is_certified;
+    int reported = k->reported;
+    if (settle(k, other_first ? &other : n)) return true;
+    if (is_certified && k->reported > reported) return false;
+    return settle(k, other_first ? n : &other);
 }
 
 /* Across the longer side of the image. */
@@ -316,7 +328,8 @@ static bool settle_in_scratch(Search *k, Part *n)
         if (is_worth_it) continue;
         if (!n->is_certified) return halve_image(k, n);
         /* At most one root, and clipping converges quadratically to it: what stops it is the rounding, unless that is much
-         * enlarged by the inverse of a needle. */
+         * enlarged by the inverse of a needle: then the root is anywhere in a strip. */
+        if (!n->has_strip) n->strip = range_on_ray(k, n), n->has_strip = true;
         return at = nearest_point(k, n), settle_near_ray(k, n, over_w, &at);
     }
 }

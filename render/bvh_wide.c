@@ -114,8 +114,15 @@ ALWAYS_INLINE unsigned mask_of(V8i truth)
     return (unsigned)((all & 0x8040201008040201u) * 0x0101010101010101u >> 56);
 }
 
+/* Those that wait on the stack come from memory meanwhile: in a large tree that is what takes the time. */
+ALWAYS_INLINE void prefetch(const WideNode *n)
+{
+    for (size_t at = 0; at < sizeof *n; at += 64) __builtin_prefetch((const char *)n + at);
+}
+
 /* Children of n that the ray meets in [t_min, t_max], the nearest last. */
-ALWAYS_INLINE int meet_children(const WideNode *n, const Slabs *r, float t_min, float t_max, Waiting *out)
+ALWAYS_INLINE int meet_children(const WideNode *nodes, const WideNode *n, const Slabs *r, float t_min, float t_max,
+                                Waiting *out)
 {
     V8f near = splat(t_min), far = splat(t_max);
     for (int k = 0; k < 3; k++) {
@@ -128,6 +135,7 @@ ALWAYS_INLINE int meet_children(const WideNode *n, const Slabs *r, float t_min, 
     for (unsigned met = mask_of(near <= far) & n->exists; met != 0; met &= met - 1) {
         int i = __builtin_ctz(met), at = n_met++;
         float t = near[i];
+        if (!(n->child[i] & IS_ITEM)) prefetch(&nodes[n->child[i]]);
         for (; at > 0 && out[at - 1].t < t; at--) out[at] = out[at - 1];
         out[at] = (Waiting){ n->child[i], t };
     }
@@ -154,7 +162,7 @@ bool bvh_wide_traverse(const WideBvh *b, const Ray *r, double *t_max, BvhVisit v
     Slabs slabs = t->wide.slabs;     /* the visitor's own trees may need another ray */
     Waiting stack[STACK_SIZE];
     float limit = limit_of(&slabs, *t_max), t_min = float_down((r->t_min - slabs.start) * slabs.scale);
-    int top = meet_children(&b->nodes[0], &slabs, t_min, limit, stack);
+    int top = meet_children(b->nodes, &b->nodes[0], &slabs, t_min, limit, stack);
     uint64_t n_boxes = b->nodes[0].n_children;
     bool ended = false;
     while (top > 0 && !ended) {
@@ -166,7 +174,7 @@ bool bvh_wide_traverse(const WideBvh *b, const Ray *r, double *t_max, BvhVisit v
         } else {
             const WideNode *n = &b->nodes[next.child];
             n_boxes += n->n_children;
-            top += meet_children(n, &slabs, t_min, limit, stack + top);
+            top += meet_children(b->nodes, n, &slabs, t_min, limit, stack + top);
         }
     }
     *count += n_boxes;

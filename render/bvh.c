@@ -319,3 +319,9 @@ bool bvh_traverse(const Bvh *b, const Ray *r, double *t_max, BvhVisit visit, voi
     }
     return false;
 }
+
+bool bvh_any(const Bvh *b, const Ray *r, double t_max, BvhVisit visit, void *context, Trace *t)
+{
+    if (b->wide) return bvh_wide_any(b->wide, r, t_max, visit, context, t);
+    return bvh_traverse(b, r, &t_max, visit, context, t);
+}

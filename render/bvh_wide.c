@@ -120,9 +120,9 @@ ALWAYS_INLINE void prefetch(const WideNode *n)
     for (size_t at = 0; at < sizeof *n; at += 64) __builtin_prefetch((const char *)n + at);
 }
 
-/* Children of n that the ray meets in [t_min, t_max], the nearest last. */
+/* Children of n that the ray meets in [t_min, t_max], the nearest last, or in no order. */
 ALWAYS_INLINE int meet_children(const WideNode *nodes, const WideNode *n, const Slabs *r, float t_min, float t_max,
-                                Waiting *out)
+                                bool in_order, Waiting *out)
 {
     V8f near = splat(t_min), far = splat(t_max);
     for (int k = 0; k < 3; k++) {
@@ -136,7 +136,7 @@ ALWAYS_INLINE int meet_children(const WideNode *nodes, const WideNode *n, const 
         int i = __builtin_ctz(met), at = n_met++;
         float t = near[i];
         if (!(n->child[i] & IS_ITEM)) prefetch(&nodes[n->child[i]]);
-        for (; at > 0 && out[at - 1].t < t; at--) out[at] = out[at - 1];
+        for (; in_order && at > 0 && out[at - 1].t < t; at--) out[at] = out[at - 1];
         out[at] = (Waiting){ n->child[i], t };
     }
     return n_met;
@@ -152,31 +152,45 @@ static bool visit_single(const WideBvh *b, const Ray *r, double *t_max, BvhVisit
 
 ALWAYS_INLINE float limit_of(const Slabs *s, double t_max) { return float_up((t_max - s->start) * s->scale); }
 
-EVERY_X86
-bool bvh_wide_traverse(const WideBvh *b, const Ray *r, double *t_max, BvhVisit visit, void *context, Trace *t)
+typedef struct { BvhVisit visit; void *context; } Visitor;
+
+/* in_order: nearest boxes first, and none behind *t_max as visits lower it; else *t_max stays. */
+ALWAYS_INLINE bool traverse(const WideBvh *b, const Ray *r, double *t_max, Visitor v, Trace *t, bool in_order)
 {
     uint64_t *count = t->is_shadow_ray ? &t->counters.light_bv_intersections : &t->counters.bv_intersections;
     ++*count;
-    if (b->is_single) return visit_single(b, r, t_max, visit, context, t);
+    if (b->is_single) return visit_single(b, r, t_max, v.visit, v.context, t);
     if (!use_wide_ray(b, r, *t_max, t)) return false;
     Slabs slabs = t->wide.slabs;     /* the visitor's own trees may need another ray */
     Waiting stack[STACK_SIZE];
     float limit = limit_of(&slabs, *t_max), t_min = float_down((r->t_min - slabs.start) * slabs.scale);
-    int top = meet_children(b->nodes, &b->nodes[0], &slabs, t_min, limit, stack);
+    int top = meet_children(b->nodes, &b->nodes[0], &slabs, t_min, limit, in_order, stack);
     uint64_t n_boxes = b->nodes[0].n_children;
     bool ended = false;
     while (top > 0 && !ended) {
         Waiting next = stack[--top];
-        if (next.t > limit) continue;            /* a hit has come nearer since */
+        if (in_order && next.t > limit) continue;      /* a hit has come nearer since */
         if (next.child & IS_ITEM) {
-            ended = visit(context, next.child & ~IS_ITEM, r, t_max, t);
-            limit = limit_of(&slabs, *t_max);
+            ended = v.visit(v.context, next.child & ~IS_ITEM, r, t_max, t);
+            if (in_order) limit = limit_of(&slabs, *t_max);
         } else {
             const WideNode *n = &b->nodes[next.child];
             n_boxes += n->n_children;
-            top += meet_children(b->nodes, n, &slabs, t_min, limit, stack + top);
+            top += meet_children(b->nodes, n, &slabs, t_min, limit, in_order, stack + top);
         }
     }
     *count += n_boxes;
     return ended;
+}
+
+EVERY_X86
+bool bvh_wide_traverse(const WideBvh *b, const Ray *r, double *t_max, BvhVisit visit, void *context, Trace *t)
+{
+    return traverse(b, r, t_max, (Visitor){ visit, context }, t, true);
+}
+
+EVERY_X86
+bool bvh_wide_any(const WideBvh *b, const Ray *r, double t_max, BvhVisit visit, void *context, Trace *t)
+{
+    return traverse(b, r, &t_max, (Visitor){ visit, context }, t, false);
 }

@@ -14,6 +14,7 @@ WideBvh *bvh_wide_build(Arena *a, const BvhNode *nodes, uint32_t n, const uint32
 WideBvh *bvh_wide_join(Arena *a, const BvhNode *nodes, uint32_t n, const uint32_t *items, const WideBvh *const parts[],
                        const uint32_t first_item[]);
 uint32_t bvh_wide_node_count(const WideBvh *w);
+bool bvh_wide_any(const WideBvh *w, const Ray *r, double t_max, BvhVisit visit, void *context, Trace *t);
 bool bvh_wide_traverse(const WideBvh *w, const Ray *r, double *t_max, BvhVisit visit, void *context, Trace *t);
 
 #endif

@@ -203,5 +203,5 @@ bool shape_tree_blocks(const ShapeTree *tree, const Ray *r, unsigned skip, doubl
     if (is_still_blocked(&s, r, t_max, t)) return true;
     for (uint32_t i = 0; i < tree->n_unbounded; i++)
         if (meet_any(&s, (Item){ tree->unbounded[i], ALL_OF_IT }, r, &t_max, t)) return true;
-    return bvh_traverse(tree_searched(tree), r, &t_max, visit_any, &s, t);
+    return bvh_any(tree_searched(tree), r, t_max, visit_any, &s, t);
 }

@@ -46,6 +46,22 @@ void patch_move_origin(Patch *p, Vec4 *points)
     }
 }
 
+/* Are the points of a side, n of them `step` apart, one point within the rounding? */
+static bool is_collapsed(const Patch *p, const Vec4 *side, int n, int step)
+{
+    Vec3 first = vec4_project(side[0]);
+    for (int i = 1; i < n; i++)
+        if (vec_length(vec_sub(vec4_project(side[i * step]), first)) > p->rounding) return false;
+    return true;
+}
+
+static unsigned collapsed_sides(const Patch *p)
+{
+    int k_u = p->k_u, k_v = p->k_v;
+    return (unsigned)is_collapsed(p, p->p, k_v, k_u) | (unsigned)is_collapsed(p, p->p + k_u - 1, k_v, k_u) << 1
+        | (unsigned)is_collapsed(p, p->p, k_u, 1) << 2 | (unsigned)is_collapsed(p, p->p + (k_v - 1) * k_u, k_u, 1) << 3;
+}
+
 void patch_make(Arena *a, int k_u, int k_v, const Vec4 *points, double rounding, TrimRect interval, Patch *out)
 {
     *out = (Patch){ .k_u = k_u, .k_v = k_v, .u0 = interval.u0, .u1 = interval.u1, .v0 = interval.v0, .v1 = interval.v1,
@@ -57,6 +73,7 @@ void patch_make(Arena *a, int k_u, int k_v, const Vec4 *points, double rounding,
     patch_move_origin(out, arena_copy(a, points, (size_t)(k_u * k_v), sizeof *points));
     for (int i = 0; i < k_u * k_v; i++) out->radius = double_max(out->radius, vec_length(vec4_project(out->p[i])));
     out->radius *= 1 + 16 * DBL_EPSILON;    /* the rounding of the bound itself */
+    out->collapsed = collapsed_sides(out);
 }
 
 static Vec3 xyz(Vec4 p) { return vec(p.x, p.y, p.z); }

@@ -20,6 +20,7 @@ typedef struct {
     double rounding;              /* how far its points may be from where exact arithmetic has them */
     double radius;                /* |S(s, t) - origin| <= radius */
     double w_max;                 /* the largest weight */
+    unsigned collapsed;           /* bits for the sides s = 0, s = 1, t = 0, t = 1 that are one point, within the rounding */
     Arena *arena;                 /* for parts of it that rays ask for later (tile.c); NULL: none are made */
 } Patch;
 

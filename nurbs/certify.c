@@ -34,13 +34,29 @@ PatchRay patch_ray(Vec3 origin, Vec3 dir, double t_min, double t_max)
     return r;
 }
 
+/* ---- rounding ---- */
+
+/* That the planes' normals are not perpendicular to the ray, times 2^53: 1 for the direction's coordinates (vec_normalize
+ * has two roundings, the first is common to all), 4.5 for those of patch_ray, 9 since it takes the direction for a unit
+ * vector, whose length is off by 4.5: 1.5 of the sum of squares, 1 each of the root, the inverse and the product. The
+ * depth's are fewer: 4.5 of this, 3.5 of the length that t is in units of, 1 of its own quotient. */
+#define ROUNDINGS_OF_FRAME 15
+
+/* Two dot products with unit vectors have 3 roundings each, of sums of sizes that Cauchy's inequality bounds by the other
+ * vector's length: sqrt 2 times 3. */
+#define ROUNDINGS_OF_DOTS 5
+
+/* The ray's origin is taken about the tree's base and then about the patch's. (What the first rounds beyond u of the distance
+ * is in the patch's own: tile_tree.c.) */
+#define ROUNDINGS_OF_ORIGIN 2
+
+/* N.(H - w o) over w. The roundings of H and w are relative to the sizes of their terms, and so move the quotient by as much
+ * of the radius and of |o|. N.H is a dot product; N.o is one, and its product with w and the
+ * sum with N.H are as good as another. */
 double patch_rounding(const Patch *p, Vec3 offset)
 {
-    /* Every coordinate of S is a convex combination of points no longer than the radius: 2 (k_u + k_v) + 4 roundings,
-     * relative to it; N.S and N.o add 3 each, N itself is off by 4. All of them relative to the largest term, hence the
-     * maximum norm times 3 for a dot product of three terms. */
-    double n = 2 * (p->k_u + p->k_v) + 16;
-    return p->rounding + 0.5 * DBL_EPSILON * n * (p->radius + fabs(offset.x) + fabs(offset.y) + fabs(offset.z));
+    double n = p->roundings + (ROUNDINGS_OF_FRAME + 2 * ROUNDINGS_OF_DOTS + ROUNDINGS_OF_ORIGIN);
+    return p->rounding + 0.5 * DBL_EPSILON * n * (p->radius + vec_length(offset));
 }
 
 /* The plane equations of one ray and tile, and where the iteration stands. */

@@ -46,7 +46,8 @@ typedef bool (*RootVisit)(void *context, const Tile *tile, PatchRay *ray, const 
  * into t. */
 bool tile_roots(const Tile *tile, PatchRay *ray, RootVisit visit, void *context, Trace *t);
 
-/* Rounding error of the plane equations over the weight: |computed N.(S - o) - true| <= this, for S on the patch. */
+/* Rounding error of the plane equations over the weight, and of the depth: for S on the patch the computed (N1.(S - o),
+ * N2.(S - o)), o = offset, are within this distance of the true ones, but for a factor near 1. */
 double patch_rounding(const Patch *p, Vec3 offset);
 
 #endif

@@ -27,7 +27,7 @@ static void to_floats(Vec3 x, float out[3]) { out[0] = (float)x.x, out[1] = (flo
 
 /* How far a net may be from the patch, where it came to by halvings one after the other: those of the preparation, and
  * those on demand. Each coordinate errs by 3 (k - 1) u of the largest in one; ends add one more. */
-static double net_error(const Patch *p)
+double tile_net_error(const Patch *p)
 {
     return 0.5 * DBL_EPSILON * 3 * (p->k_u + p->k_v) * (2 * TILE_FIRST_HALVINGS + TILE_MAX_HALVINGS) * p->radius;
 }
@@ -47,10 +47,7 @@ static void make_source(const Tile *f, const Vec4 *net, Source *out)
     const Patch *p = f->patch;
     Vec3 middle = tile_vec(f->middle);
     out->k_u = p->k_u, out->k_v = p->k_v, out->half_s = tile_vec(f->half_s), out->half_t = tile_vec(f->half_t);
-    for (int i = 0; i < p->k_u * p->k_v; i++) {
-        Vec4 q = net[i];
-        out->net[i] = vec4(fma(-q.w, middle.x, q.x), fma(-q.w, middle.y, q.y), fma(-q.w, middle.z, q.z), q.w);
-    }
+    for (int i = 0; i < p->k_u * p->k_v; i++) out->net[i] = patch_point_about(net[i], middle);
 }
 
 /* One row of k points, `stride` apart, on the interval [x0, x1] of its own [0, 1] (which may reach beyond): de Casteljau at
@@ -137,13 +134,13 @@ ALWAYS_INLINE void bound_variation(const Source *p, Tile *out)
     out->variation = INFINITY;
     bool has_margin = is_positive(net, n);    /* extrapolated weights may not be: then the margin proves nothing */
     if (has_margin) radius = double_max(radius, net_radius(net, n));
-    out->radius = float_up(radius * ROUNDED_UP + net_error(out->patch));
+    out->radius = float_up(radius * ROUNDED_UP + tile_net_error(out->patch));
     double s = 2.0 * out->w_middle * out->length_s, t = 2.0 * out->w_middle * out->length_t;
     if (!has_margin || !(s > 0) || !(t > 0) || !isfinite(s) || !isfinite(t) || !isfinite(radius)) return;
     Vec3 by_s = vec_scale(p->half_s, 2.0 * out->w_middle), by_t = vec_scale(p->half_t, 2.0 * out->w_middle);
     derivative_spread(p, net, 1, (p->k_u - 1) / length, by_s, &spread_s, &w_s);
     derivative_spread(p, net, p->k_u, (p->k_v - 1) / length, by_t, &spread_t, &w_t);
-    double error = 2 * net_error(out->patch) * out->patch->w_max;    /* of a difference of neighbours */
+    double error = 2 * tile_net_error(out->patch) * out->patch->w_max;    /* of a difference of neighbours */
     double r_s = (spread_s + (p->k_u - 1) * error + out->radius * w_s) / s;
     double r_t = (spread_t + (p->k_v - 1) * error + out->radius * w_t) / t;
     double variation = sqrt(r_s * r_s + r_t * r_t) * ROUNDED_UP;
@@ -234,7 +231,7 @@ void tile_make(const Patch *p, const Vec4 *net, TilePlace place, Tile *out)
     out->length_t = float_up(vec_length(source.half_t) * ROUNDED_UP);
     bound_variation(&source, out);
     double deviation = p->is_polynomial ? polynomial_deviation(&source) : rational_deviation(&source);
-    deviation = deviation * ROUNDED_UP + net_error(p);
+    deviation = deviation * ROUNDED_UP + tile_net_error(p);
     out->deviation = deviation < FLT_MAX ? float_up(deviation) : INFINITY;
 }
 
@@ -265,7 +262,7 @@ TileBend tile_bend(int k_u, int k_v, const Vec4 *points)
     Vec4 net[NURBS_MAX_ORDER * NURBS_MAX_ORDER], value, by_s, by_t;
     Patch p = { .k_u = k_u, .k_v = k_v };
     for (int i = 0; i < k_u * k_v; i++) net[i] = points[i];
-    patch_move_origin(&p, net);
+    patch_move_origin(&p, (WideNet){ net, NULL });
     patch_evaluate(&p, 0.5, 0.5, &value, &by_s, &by_t);
     double length_s = vec_length(xyz(by_s)), length_t = vec_length(xyz(by_t)), radius = length_s + length_t;
     int m = k_u - 1, n = k_v - 1;

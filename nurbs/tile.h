@@ -41,6 +41,9 @@ static inline Vec3 tile_vec(const float x[3]) { return vec(x[0], x[1], x[2]); }
 typedef struct { double s0, t0, ds, dt; } TilePlace;
 void tile_make(const Patch *p, const Vec4 *net, TilePlace place, Tile *out);
 
+/* How far such a net may be from where exact arithmetic has it. */
+double tile_net_error(const Patch *p);
+
 /* The net of a patch over a place within it. */
 void tile_net(const Patch *p, TilePlace place, Vec4 *net);
 

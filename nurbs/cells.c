@@ -234,7 +234,8 @@ static void make_patches(Division *d)
             int mu_u = g->u.mu[i], mu_v = g->v.mu[j];
             prepare_close_span(g->s, mu_u, mu_v, net);
             TrimRect span = { g->s->tau_u[mu_u], g->s->tau_u[mu_u + 1], g->s->tau_v[mu_v], g->s->tau_v[mu_v + 1] };
-            patch_make(d->arena, g->s->k_u, g->s->k_v, (WideNet){ net, NULL }, g->s->rounding, span, &patches[j * g->u.n + i]);
+            patch_make(d->arena, g->s->k_u, g->s->k_v, (WideNet){ net, NULL }, g->s->rounding, span,
+                       &patches[j * g->u.n + i]);
         }
     arena_reset(d->scratch, mark);
     d->out.patches = patches;

@@ -44,9 +44,9 @@ static const Piece *make_pieces(Arena *a, Arena *scratch, int k, int n, const do
     return pieces;
 }
 
-/* Rounding of a cell's control points: closing (18 (k-1) u a direction: 6 cuts) and up to as many cuts as there are cells (3 (k-1)
- * u each), relative to the largest coordinate, and as much for weights; and that of its interval, which the knots' own magnitude decides: u |t| / (t1 - t0) of
- * the cell's extent, for each end. */
+/* Rounding of a cell's control points: closing (18 (k-1) u a direction, as 6 cuts) and up to as many cuts as there are cells
+ * (3 (k-1) u each), relative to the largest coordinate, and as much for weights; and that of its interval, which the knots'
+ * own magnitude decides: u |t| / (t1 - t0) of the cell's extent, for each end. */
 static double box_slack(const Surface *s, const Cuts *u, const Cuts *v)
 {
     const double unit = DBL_EPSILON / 2;

@@ -9,7 +9,7 @@
  * A root that stays wherever the surface moves by this band, and does not leave the shape's border or trims by it, is one of
  * the surface that was given: it must be met.
  *
- * What is computed. A method that works in double knows its equations to some R only. Its patches' points have one rounding
+ * What is computed. A method that works in double knows its equations to some R only. Its patches' points are rounded once
  * (patch.c); n more are those of evaluating a patch and of the plane equations (patch_rounding in nurbs/certify.c), at most
  * 4 (k_u + k_v) - 6 and 27, relative to the patch's radius and its distance from the ray's origin: E and O for a patch about
  * the origin of the world, and as far as its middle is off, the one is less and the other more. So R = (4 (k_u + k_v) + 21) u

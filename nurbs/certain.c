@@ -138,10 +138,14 @@ static inline bool set_ray(Search *k, const Ray *r, double t_max, Trace *t)
     return true;
 }
 
-static bool search_tiles(Search *k, const Ray *r, double t_max, Trace *t)
+/* Tiles that the ray comes near: the nearest first, or in any order until one ends the search. */
+typedef enum { SEARCH_NEAREST, SEARCH_ANY } SearchFor;
+
+static bool search_tiles(Search *k, const Ray *r, double t_max, SearchFor what, Trace *t)
 {
     if (!set_ray(k, r, t_max, t)) return false;
     Ray in_bvh = { vec_sub(r->origin, k->tree->bvh_base), r->dir, r->t_min };
+    if (what == SEARCH_ANY) return bvh_any(k->tree->bvh, &in_bvh, t_max, visit_tile, k, t);
     bvh_traverse(k->tree->bvh, &in_bvh, &t_max, visit_tile, k, t);
     return k->found;
 }
@@ -150,7 +154,7 @@ bool certain_nearest(const Surface *s, const TileTree *tree, const Ray *r, doubl
 {
     Search k;
     begin(&k, s, tree, take_nearest);
-    if (!search_tiles(&k, r, t_max, t)) return false;
+    if (!search_tiles(&k, r, t_max, SEARCH_NEAREST, t)) return false;
     *out = k.nearest;
     return true;
 }
@@ -180,7 +184,7 @@ bool certain_any(const Surface *s, const TileTree *tree, const Ray *r, double t_
     Search k;
     begin(&k, s, tree, take_any);
     if (is_still_blocked(&k, r, t_max, t)) return true;
-    if (!search_tiles(&k, r, t_max, t)) return false;
+    if (!search_tiles(&k, r, t_max, SEARCH_ANY, t)) return false;
     blocker_note(&t->blockers, tree, k.tile);
     return true;
 }
@@ -245,7 +249,7 @@ void certain_all(const Surface *s, const TileTree *tree, const Ray *r, double t_
 {
     *out = (CertainList){ ARENA_ARRAY(t->scratch, CertainHit, FIRST_ROOM), 0, FIRST_ROOM };
     Search k = { .s = s, .tree = tree, .take = take_all, .all = out };
-    search_tiles(&k, r, t_max, t);
+    search_tiles(&k, r, t_max, SEARCH_NEAREST, t);
     if (k.overflow) out->hits = arena_copy(t->scratch, out->hits, out->n, sizeof *out->hits);
     arena_free(k.overflow);
     if (out->n > 1) qsort(out->hits, out->n, sizeof *out->hits, compare_hits);

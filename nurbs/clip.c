@@ -27,8 +27,11 @@ enum { PATIENCE = 1 << 15 };
 
 typedef struct {
     View view;
-    bool is_certified;       /* at most one root in it */
+    bool is_certified;       /* at most one root in it, */
+    Range strip;             /* which can be told from its neighbourhood only so far: its depth; set with has_strip */
+    bool has_strip;
     bool is_in_surface;      /* the ray runs in the surface about here */
+    bool is_needle;          /* its image is one: what the ray meets is little of its depth */
 } Part;
 
 typedef struct {
@@ -40,7 +43,9 @@ typedef struct {
     Trace *trace;
     double rounding;         /* of the plane equations over the weight */
     double middle;           /* the depth of the patch's origin */
-    int declined;            /* roots that the visitor did not take as the nearest */
+    double extent;           /* of the depth of what a ray in this direction can meet of the tile; 0: not computed yet */
+    int reported;            /* roots, */
+    int declined;            /* and those that the visitor did not take as the nearest */
     bool was_halved;         /* counted once as a fallback */
     int patience;            /* boxes that may still be looked at before the search makes do with points that Newton finds */
 } Search;
@@ -115,6 +120,22 @@ static bool is_on_ray(const ViewPoint *at, double error)
     return residual2(at) <= ON_THE_RAY * ON_THE_RAY * error * error;
 }
 
+static DepthOnRay on_ray(const Search *k, const Part *n)
+{
+    return view_depth_on_ray(&n->view, ON_THE_RAY * (k->rounding + n->view.lost));
+}
+
+static Range range_on_ray(const Search *k, const Part *n)
+{
+    DepthOnRay depth = on_ray(k, n);
+    return (Range){ depth.range.lo - depth.slack, depth.range.hi + depth.slack };
+}
+
+static Range depth_of(const Search *k, const Part *n)
+{
+    return n->is_needle ? range_on_ray(k, n) : view_depth(&n->view);
+}
+
 /* ---- reporting ---- */
 
 static Root root_at(const Search *k, const View *v, const ViewPoint *at)
@@ -132,6 +153,7 @@ static bool visit_root(Search *k, const Root *root)
 {
     double t_max = k->ray->t_max;
     bool ended = k->visit(k->context, k->tile, k->ray, root);
+    k->reported++;
     k->declined += k->ray->t_max >= t_max;
     return ended;
 }
@@ -154,13 +176,40 @@ static double cosine_at(const Search *k, const View *v, double s, double t)
     return vec_dot(patch_normal(k->p, v->s0 + s * v->w_s, v->t0 + t * v->w_t, vec_neg(k->ray->d)), k->ray->d);
 }
 
-/* How far the depth moves if the surface moves by the rounding, where the box is too small to have derivatives: by the
- * tangent of that angle; but where the ray touches, no farther than a curve of the patch's size is within the rounding of
- * its tangent: a circle, if the ray sees the other side of the surface then, else a cubic. */
-static double depth_slack(const Search *k, double cosine, bool turns)
+/* The tile as the ray sees it. */
+static View view_of_tile(const Search *k)
 {
-    double across = fabs(cosine), along = sqrt(double_max(1 - across * across, 0)), size = k->p->radius + k->rounding;
-    double touching = turns ? sqrt(2 * k->rounding * size) : cbrt(6 * k->rounding * size * size);
+    const Tile *f = k->tile;
+    View v = view_of(k->trace->scratch, k->p, k->ray);
+    view_extent(&v);
+    view_restrict(&v, true, (Range){ f->s0, f->s0 + f->ds });
+    view_restrict(&v, false, (Range){ f->t0, f->t0 + f->dt });
+    return v;
+}
+
+static double extent_on_ray(Search *k)
+{
+    if (k->extent > 0) return k->extent;
+    ArenaMark mark = arena_mark(k->trace->scratch);
+    View v = view_of_tile(k);
+    DepthOnRay depth = view_depth_on_ray(&v, k->rounding);
+    arena_reset(k->trace->scratch, mark);
+    return k->extent = depth.range.hi - depth.range.lo + 2 * depth.slack + k->rounding;
+}
+
+/* How far a ray that touches a curve as large as what it can meet of the tile is within the rounding of it: a circle, if
+ * the ray sees the other side of the surface then, else a cubic. */
+static double touching_length(Search *k, bool turns)
+{
+    double size = extent_on_ray(k);
+    return turns ? sqrt(2 * k->rounding * size) : cbrt(6 * k->rounding * size * size);
+}
+
+/* How far the depth moves if the surface moves by the rounding, where the box is too small to have derivatives: by the
+ * tangent of that angle; but where the ray touches, no farther than that. */
+static double depth_slack(Search *k, double cosine, bool turns)
+{
+    double across = fabs(cosine), along = sqrt(double_max(1 - across * across, 0)), touching = touching_length(k, turns);
     return k->rounding * along < across * touching ? k->rounding * along / across : touching;
 }
 
@@ -180,10 +229,10 @@ static bool report(Search *k, const Part *n, const ViewPoint *at)
 {
     Root root = root_at(k, &n->view, at);
     if (!is_in_reach(k, &root)) return false;
-    Range range = view_depth(&n->view);
+    Range depth = n->has_strip ? n->strip : range_on_ray(k, n);
     if (!n->is_certified) set_sides(k, &n->view, at, &root);
     double slack = depth_slack(k, cosine_at(k, &n->view, at->s, at->t), root.before != root.after);
-    double reach = double_max(double_max(range.hi - at->z.value, at->z.value - range.lo), 0);
+    double reach = double_max(double_max(depth.hi - at->z.value, at->z.value - depth.lo), 0);
     root.depth_error = reach + slack + k->rounding + n->view.drift * k->p->radius;
     root.distance += sqrt(residual2(at));
     return visit_root(k, &root);
@@ -193,7 +242,8 @@ static bool report(Search *k, const Part *n, const ViewPoint *at)
 
 static bool settle(Search *k, Part *n);
 
-/* Both halves, the nearer one first, so that what lies behind an accepted root is never looked at. */
+/* Both halves, the nearer one first, so that what lies behind an accepted root is never looked at. If they have one root at
+ * most, and one was reported, it is that. */
 static bool halve(Search *k, Part *n, bool along_s)
 {
     k->trace->counters.fallbacks += !k->was_halved;
@@ -202,8 +252,11 @@ static bool halve(Search *k, Part *n, bool along_s)
     other.view = view_copy(k->trace->scratch, &n->view);
     view_restrict(&n->view, along_s, (Range){ 0, 0.5 });
     view_restrict(&other.view, along_s, (Range){ 0.5, 1 });
-    bool other_first = view_depth(&other.view).lo < view_depth(&n->view).lo;
-    return settle(k, other_first ? &other : n) || settle(k, other_first ? n : &other);
+    bool other_first = depth_of(k, &other).lo < depth_of(k, n).lo, is_certified = n->is_certified;
+    int reported = k->reported;
+    if (settle(k, other_first ? &other : n)) return true;
+    if (is_certified && k->reported > reported) return false;
+    return settle(k, other_first ? n : &other);
 }
 
 /* Across the longer side of the image. */
@@ -221,10 +274,11 @@ static double shorter_side(const Tile *f)
 }
 
 /* Is a box on the ray to be cut further, to find where the ray enters the surface? */
-static bool runs_in_surface(const Search *k, Part *n, double length)
+static bool runs_in_surface(Search *k, Part *n, double length)
 {
     if (k->declined >= MAX_DECLINED) return length > PART_OF_DECLINED * k->tile->radius;
-    n->is_in_surface = n->is_in_surface || length > IN_THE_SURFACE * shorter_side(k->tile);
+    double tangent = double_max(IN_THE_SURFACE * shorter_side(k->tile), touching_length(k, false));
+    n->is_in_surface = n->is_in_surface || length > tangent;
     return n->is_in_surface && length > ENTRY * k->rounding;
 }
 
@@ -236,10 +290,12 @@ static bool settle_near_ray(Search *k, Part *n, double error, const ViewPoint *a
 }
 
 /* A box that cannot be told from the ray, or a needle through it. */
-static bool settle_on_ray(Search *k, Part *n, double error, double length, const ViewPoint *at)
+static bool settle_on_ray(Search *k, Part *n, double error, const ViewPoint *at)
 {
-    if (k->patience < 0 || !is_on_ray(at, error) || !runs_in_surface(k, n, length)) return settle_near_ray(k, n, error, at);
-    Lengths depths = view_depths(&n->view);
+    DepthOnRay depth = on_ray(k, n);
+    if (k->patience < 0 || !is_on_ray(at, error) || !runs_in_surface(k, n, depth.range.hi - depth.range.lo))
+        return settle_near_ray(k, n, error, at);
+    Lengths depths = view_depths(&n->view, depth.slant);
     return halve(k, n, depths.by_s >= depths.by_t);
 }
 
@@ -250,28 +306,30 @@ static bool settle_in_scratch(Search *k, Part *n)
         ViewExtent e = view_extent(&n->view);
         double over_w = k->rounding + n->view.lost, error = over_w * e.w_max, near = ON_THE_RAY * over_w;
         if (e.x.lo > error || e.x.hi < -error || e.y.lo > error || e.y.hi < -error) return false;
-        Range depth = view_depth(&n->view);
+        Range depth = depth_of(k, n);
         double slack = k->rounding + n->view.drift * k->p->radius;
         if (k->middle + depth.lo - slack > k->ray->t_max || k->middle + depth.hi + slack < k->ray->t_min) return false;
         k->patience--;
         ViewPoint at;
         if (n->view.size <= near)
-            return at = nearest_point(k, n), settle_on_ray(k, n, over_w, depth.hi - depth.lo, &at);
+            return at = nearest_point(k, n), settle_on_ray(k, n, over_w, &at);
         if (k->patience < 0) return at = nearest_point(k, n), is_on_ray(&at, over_w) && report(k, n, &at);
 
         double across;
         ViewPart c = view_narrow(&n->view, error, k->trace->scratch, &n->is_certified, &across);
         if (c.s.lo > c.s.hi || c.t.lo > c.t.hi) return false;
-        if (across <= near * e.w_max && (at = nearest_point(k, n), is_on_ray(&at, over_w)))
-            return settle_on_ray(k, n, over_w, depth.hi - depth.lo, &at);
+        n->is_needle = across < INFINITY;
         if (n->is_certified && find_root(n, &at)) return report_root(k, n, &at);
         bool is_worth_it = c.s.hi - c.s.lo <= MIN_CLIP || c.t.hi - c.t.lo <= MIN_CLIP;
+        if (!is_worth_it && across <= near * e.w_max && (at = nearest_point(k, n), is_on_ray(&at, over_w)))
+            return settle_on_ray(k, n, over_w, &at);
         view_restrict(&n->view, true, c.s);
         view_restrict(&n->view, false, c.t);
         if (is_worth_it) continue;
         if (!n->is_certified) return halve_image(k, n);
         /* At most one root, and clipping converges quadratically to it: what stops it is the rounding, unless that is much
-         * enlarged by the inverse of a needle. */
+         * enlarged by the inverse of a needle: then the root is anywhere in a strip. */
+        if (!n->has_strip) n->strip = range_on_ray(k, n), n->has_strip = true;
         return at = nearest_point(k, n), settle_near_ray(k, n, over_w, &at);
     }
 }
@@ -282,17 +340,6 @@ static bool settle(Search *k, Part *n)
     bool ended = settle_in_scratch(k, n);
     arena_reset(k->trace->scratch, mark);
     return ended;
-}
-
-/* The tile as the ray sees it. */
-static View view_of_tile(const Search *k)
-{
-    const Tile *f = k->tile;
-    View v = view_of(k->trace->scratch, k->p, k->ray);
-    view_extent(&v);
-    view_restrict(&v, true, (Range){ f->s0, f->s0 + f->ds });
-    view_restrict(&v, false, (Range){ f->t0, f->t0 + f->dt });
-    return v;
 }
 
 bool clip_roots(const Tile *tile, PatchRay *ray, RootVisit visit, void *context, Trace *trace)

@@ -138,6 +138,34 @@ ViewPoint view_point(const View *v, double s, double t)
                         jet_of(h.y, h_s.y, h_t.y, h_s.w, h_t.w, over_w), jet_of(h.z, h_s.z, h_t.z, h_s.w, h_t.w, over_w) };
 }
 
+/* ---- the depth on the ray ---- */
+
+/* Over the weight, as all depths. */
+static double slanted(const Vec4 *p, Vec2 slant) { return (p->z - slant.x * p->x - slant.y * p->y) / p->w; }
+
+/* Along the longer axis of the ellipse that the Jacobian at the middle makes of a circle. */
+static Vec2 best_slant(const View *v)
+{
+    ViewPoint m = view_point(v, 0.5, 0.5);
+    double xx = m.x.by_s * m.x.by_s + m.x.by_t * m.x.by_t, yy = m.y.by_s * m.y.by_s + m.y.by_t * m.y.by_t;
+    double angle = 0.5 * atan2(2 * (m.x.by_s * m.y.by_s + m.x.by_t * m.y.by_t), xx - yy), c = cos(angle), s = sin(angle);
+    double by_s = c * m.x.by_s + s * m.y.by_s, by_t = c * m.x.by_t + s * m.y.by_t;
+    return vec2_scale(vec2(c, s), (by_s * m.z.by_s + by_t * m.z.by_t) / (by_s * by_s + by_t * by_t));
+}
+
+static double length_of(Range r) { return r.hi - r.lo; }
+
+DepthOnRay view_depth_on_ray(const View *v, double error)
+{
+    DepthOnRay plain = { .range = view_depth(v) }, out = { .range = { INFINITY, -INFINITY }, .slant = best_slant(v) };
+    out.slack = vec2_length(out.slant) * error;
+    for (int i = 0; i < v->k_u * v->k_v; i++) {
+        double d = slanted(&v->p[i], out.slant);
+        out.range.lo = double_min(out.range.lo, d), out.range.hi = double_max(out.range.hi, d);
+    }
+    return length_of(out.range) + 2 * out.slack < length_of(plain.range) ? out : plain;
+}
+
 /* ---- which side is longer ---- */
 
 Lengths view_image(const View *v)
@@ -152,15 +180,15 @@ Lengths view_image(const View *v)
     return (Lengths){ (v->k_u - 1) * most.by_s, (v->k_v - 1) * most.by_t };
 }
 
-Lengths view_depths(const View *v)
+Lengths view_depths(const View *v, Vec2 slant)
 {
     Lengths most = { 0, 0 };
     for (int j = 0; j < v->k_v; j++)
         for (int i = 0; i < v->k_u; i++) {
-            const Vec4 *p = v->p + j * v->k_u + i, *next = p + 1, *above = p + v->k_u;
-            double depth = p->z / p->w;
-            if (i + 1 < v->k_u) most.by_s = double_max(most.by_s, fabs(next->z / next->w - depth));
-            if (j + 1 < v->k_v) most.by_t = double_max(most.by_t, fabs(above->z / above->w - depth));
+            const Vec4 *p = v->p + j * v->k_u + i;
+            double depth = slanted(p, slant);
+            if (i + 1 < v->k_u) most.by_s = double_max(most.by_s, fabs(slanted(p + 1, slant) - depth));
+            if (j + 1 < v->k_v) most.by_t = double_max(most.by_t, fabs(slanted(p + v->k_u, slant) - depth));
         }
     return (Lengths){ (v->k_u - 1) * most.by_s, (v->k_v - 1) * most.by_t };
 }

@@ -41,15 +41,21 @@ bool view_is_off(const View *v, double x, double y, double error);
 /* Bounds of the depth. */
 Range view_depth(const View *v);
 
+/* The same of what the ray meets of the box. There x and y over the weight are within `error` of zero, so that the depth is
+ * z - slant . (x, y), whatever the slant, but for slack = |slant| error. A slant that takes off what the depth gains along
+ * the longer axis of the box's image leaves little of a needle across the ray, however long it is; (0, 0) where none does. */
+typedef struct { Range range; double slack; Vec2 slant; } DepthOnRay;
+DepthOnRay view_depth_on_ray(const View *v, double error);
+
 /* A number and its derivatives by s and t. */
 typedef struct { double value, by_s, by_t; } Jet;
 typedef struct { double s, t; Jet x, y, z; } ViewPoint;      /* over the weight */
 ViewPoint view_point(const View *v, double s, double t);
 
-/* The largest coefficients of the derivatives by s and t, of the plane equations; and of the depth, about. */
+/* The largest coefficients of the derivatives by s and t, of the plane equations; and of the depth on the ray, about. */
 typedef struct { double by_s, by_t; } Lengths;
 Lengths view_image(const View *v);
-Lengths view_depths(const View *v);
+Lengths view_depths(const View *v, Vec2 slant);
 
 /* The part of the box outside which no root lies, if the plane equations are within `error` of what they should be; empty:
  * lo > hi. [NSK90] Bézier clipping, preconditioned by the inverse of the mean Jacobian, which makes it converge

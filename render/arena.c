@@ -28,6 +28,7 @@ struct Arena {
     Block *newest, *spare;             /* spare: dropped by a reset, to be used again */
     size_t next_size;
     size_t bytes;                      /* held from malloc, headers included */
+    Arena *adopted;
     ArenaExhausted on_exhausted;
     void *context;
     long fail_after;                   /* allocations until one fails; 0: this one does; negative: none */
@@ -72,7 +73,14 @@ void arena_free(Arena *a)
         free(b);
     }
     free(a->spare);
+    arena_free(a->adopted);
     free(a);
+}
+
+void arena_adopt(Arena *a, Arena *other)
+{
+    while (a->adopted) a = a->adopted;
+    a->adopted = other;
 }
 
 void arena_on_exhausted(Arena *a, ArenaExhausted handler, void *context)
@@ -175,11 +183,11 @@ void arena_reset(Arena *a, ArenaMark mark)
     if (a->newest) a->newest->used = mark.used;
 }
 
-size_t arena_bytes(const Arena *a) { return a->bytes; }
+size_t arena_bytes(const Arena *a) { return a->bytes + (a->adopted ? arena_bytes(a->adopted) : 0); }
 
 size_t arena_used(const Arena *a)
 {
     size_t used = 0;
     for (const Block *b = a->newest; b; b = b->older) used += b->used;
-    return used;
+    return used + (a->adopted ? arena_used(a->adopted) : 0);
 }

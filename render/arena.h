@@ -31,6 +31,7 @@ void *arena_grow(Arena *a, void *array, size_t n, size_t *capacity, size_t size)
 
 ArenaMark arena_mark(const Arena *a);
 void arena_reset(Arena *a, ArenaMark mark);        /* gives back everything allocated since the mark */
+void arena_adopt(Arena *a, Arena *other);          /* which is freed with a, and part of it from now on; NULL: nothing */
 size_t arena_bytes(const Arena *a);                /* bytes held from malloc */
 size_t arena_used(const Arena *a);                 /* of these, allocated since */
 

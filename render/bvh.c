@@ -234,7 +234,7 @@ Bvh *bvh_build(Arena *a, const Box *boxes, uint32_t n, BvhSplit split)
     Bvh *out;
     if (n_items == 0) out = new_wide(a, NULL, box_empty(), 0);
     else if (split == BVH_MEDIAN) out = new_binary(a, &b, n_items, n);
-    else out = new_wide(a, bvh_wide_build(a, b.nodes, item_indices(b.scratch, &b, n_items)), b.nodes[0].box, n);
+    else out = new_wide(a, bvh_wide_build(a, b.nodes, b.n_nodes, item_indices(b.scratch, &b, n_items)), b.nodes[0].box, n);
     arena_free(b.scratch);
     return out;
 }
@@ -248,7 +248,8 @@ Bvh *bvh_join(Arena *a, const Box *boxes, const Bvh *const parts[], const uint32
         wide[i] = parts[i] ? parts[i]->wide : NULL;
         assert(box_is_empty(boxes[i]) || !parts[i] || wide[i]);
     }
-    WideBvh *joined = n_items ? bvh_wide_join(a, b.nodes, item_indices(b.scratch, &b, n_items), wide, first_item) : NULL;
+    const uint32_t *items = item_indices(b.scratch, &b, n_items);
+    WideBvh *joined = n_items ? bvh_wide_join(a, b.nodes, b.n_nodes, items, wide, first_item) : NULL;
     uint32_t last = n ? n - 1 : 0, end = n ? first_item[last] + (parts[last] ? bvh_item_count(parts[last]) : 1) : 0;
     Bvh *out = new_wide(a, joined, n_items ? b.nodes[0].box : box_empty(), end);
     arena_free(b.scratch);
@@ -261,7 +262,7 @@ Bvh *bvh_from_tree(Arena *a, const BvhNode *nodes, uint32_t n_nodes)
     if (n_nodes == 0) return new_wide(a, NULL, box_empty(), 0);
     for (uint32_t i = 0; i < n_nodes; i++)
         if (nodes[i].n_items > 0 && nodes[i].first >= n_items) n_items = nodes[i].first + 1;
-    return new_wide(a, bvh_wide_build(a, nodes, NULL), nodes[0].box, n_items);
+    return new_wide(a, bvh_wide_build(a, nodes, n_nodes, NULL), nodes[0].box, n_items);
 }
 
 Box bvh_bounds(const Bvh *b) { return b->bounds; }
@@ -317,4 +318,10 @@ bool bvh_traverse(const Bvh *b, const Ray *r, double *t_max, BvhVisit visit, voi
         else if (visit(context, b->items[n->first], r, t_max, t)) return true;
     }
     return false;
+}
+
+bool bvh_any(const Bvh *b, const Ray *r, double t_max, BvhVisit visit, void *context, Trace *t)
+{
+    if (b->wide) return bvh_wide_any(b->wide, r, t_max, visit, context, t);
+    return bvh_traverse(b, r, &t_max, visit, context, t);
 }

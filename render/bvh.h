@@ -40,4 +40,7 @@ typedef bool (*BvhVisit)(void *context, uint32_t i, const Ray *r, double *t_max,
 /* Visits items nearest box first, culled by *t_max as it shrinks; counts boxes into t. Returns whether a visit ended it. */
 bool bvh_traverse(const Bvh *b, const Ray *r, double *t_max, BvhVisit visit, void *context, Trace *t);
 
+/* The same in any order, for a visitor that leaves *t_max alone and ends at the first answer. */
+bool bvh_any(const Bvh *b, const Ray *r, double t_max, BvhVisit visit, void *context, Trace *t);
+
 #endif

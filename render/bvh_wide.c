@@ -1,5 +1,4 @@
-/* Eight boxes a node in single precision, [WBB08]; collapsed from the binary tree by opening the child of the largest
- * area until there are eight.
+/* Eight boxes a node in single precision, [WBB08].
  *
  * Nothing that the ray meets in exact arithmetic is turned away. The ray is moved to where it enters the tree, and scaled so
  * that its largest component is 1, both in double precision: its origin o is then as large as the tree's coordinates M. A
@@ -10,127 +9,15 @@
  * tree. */
 #include "render/bvh_wide.h"
 
+#include "render/bvh_collapse.h"
 #include "render/simd.h"
 
 #include <string.h>
 
-#define WIDTH 8
-#define IS_ITEM 0x80000000u
+#define WIDTH WIDE_WIDTH
+#define IS_ITEM WIDE_IS_ITEM
 #define STACK_SIZE (2 * 64 * (WIDTH - 1) + WIDTH)     /* no deeper than the binary tree, and one within: 64 each */
 #define TINY 0x1p-60
-
-typedef struct {
-    _Alignas(64) float side[2][3][WIDTH];       /* lo and hi by axis; children that do not exist: lo +inf, hi -inf */
-    uint32_t child[WIDTH];         /* a node, or IS_ITEM and an item */
-    uint32_t n_children, exists;   /* exists: a bit for each */
-} WideNode;
-
-struct WideBvh {
-    const WideNode *nodes;
-    uint32_t n_nodes;
-    Box bounds;
-    double largest, diagonal;      /* the largest coordinate of the bounds, and their diagonal */
-    bool is_single;                /* it has one item alone: */
-    uint32_t single;
-};
-
-/* ---- collapsing ---- */
-
-typedef struct {
-    const BvhNode *nodes;
-    const uint32_t *items;
-    const WideBvh *const *parts;   /* of bvh_wide_join; NULL: all items are items */
-    const uint32_t *first_item;
-    Arena *arena;                  /* of the list alone */
-    WideNode *wide;
-    size_t n_wide, capacity;
-} Collapse;
-
-/* A copy of the part's nodes, its items counted from first_item: what refers to it. */
-static uint32_t copy_part(Collapse *c, const WideBvh *part, uint32_t first_item)
-{
-    uint32_t at = (uint32_t)c->n_wide;
-    if (part->is_single) return IS_ITEM | (first_item + part->single);
-    for (uint32_t i = 0; i < part->n_nodes; i++) {
-        WideNode *n = &ARENA_PUSH(c->arena, c->wide, c->n_wide, c->capacity);
-        *n = part->nodes[i];
-        for (uint32_t k = 0; k < n->n_children; k++) n->child[k] += n->child[k] & IS_ITEM ? first_item : at;
-    }
-    return at;
-}
-
-static uint32_t item_child(Collapse *c, uint32_t first)
-{
-    uint32_t i = c->items ? c->items[first] : first;
-    if (!c->parts) return IS_ITEM | i;
-    return c->parts[i] ? copy_part(c, c->parts[i], c->first_item[i]) : IS_ITEM | c->first_item[i];
-}
-
-/* The binary nodes that become the children of one wide node. */
-static uint32_t open_children(const Collapse *c, uint32_t from, uint32_t list[WIDTH])
-{
-    uint32_t n = 1;
-    list[0] = from;
-    while (n < WIDTH) {
-        uint32_t best = n;
-        double most = -1;
-        for (uint32_t i = 0; i < n; i++) {
-            const BvhNode *node = &c->nodes[list[i]];
-            double area = node->n_items ? -1 : box_area(node->box);
-            if (area > most) most = area, best = i;
-        }
-        if (best == n) break;      /* items all */
-        uint32_t first = c->nodes[list[best]].first;
-        list[best] = first, list[n++] = first + 1;
-    }
-    return n;
-}
-
-static void set_child(WideNode *w, uint32_t i, Box b)
-{
-    for (int k = 0; k < 3; k++) w->side[0][k][i] = b.lo[k], w->side[1][k][i] = b.hi[k];
-}
-
-static uint32_t collapse(Collapse *c, uint32_t from)
-{
-    uint32_t list[WIDTH], n = open_children(c, from, list), at = (uint32_t)c->n_wide;
-    WideNode w = { .n_children = n, .exists = (1u << n) - 1 };
-    for (uint32_t i = 0; i < WIDTH; i++) set_child(&w, i, i < n ? c->nodes[list[i]].box : box_empty());
-    ARENA_PUSH(c->arena, c->wide, c->n_wide, c->capacity) = w;
-    for (uint32_t i = 0; i < n; i++) {
-        const BvhNode *node = &c->nodes[list[i]];
-        uint32_t child = node->n_items ? item_child(c, node->first) : collapse(c, list[i]);
-        c->wide[at].child[i] = child;
-    }
-    return at;
-}
-
-static WideBvh *build(Arena *a, Collapse c)
-{
-    const BvhNode *nodes = c.nodes;
-    c.arena = arena_new();
-    collapse(&c, 0);
-    WideBvh *w = ARENA_NEW(a, WideBvh);
-    *w = (WideBvh){ .nodes = arena_copy(a, c.wide, c.n_wide, sizeof *c.wide), .n_nodes = (uint32_t)c.n_wide,
-                    .bounds = nodes[0].box, .diagonal = box_diagonal(nodes[0].box) };
-    for (int k = 0; k < 3; k++)
-        w->largest = double_max(w->largest, double_max(fabs(w->bounds.lo[k]), fabs(w->bounds.hi[k])));
-    w->is_single = nodes[0].n_items > 0 && w->nodes[0].child[0] & IS_ITEM;
-    w->single = w->nodes[0].child[0] & ~IS_ITEM;
-    arena_free(c.arena);
-    return w;
-}
-
-WideBvh *bvh_wide_build(Arena *a, const BvhNode *nodes, const uint32_t *items)
-{
-    return build(a, (Collapse){ .nodes = nodes, .items = items });
-}
-
-WideBvh *bvh_wide_join(Arena *a, const BvhNode *nodes, const uint32_t *items, const WideBvh *const parts[],
-                       const uint32_t first_item[])
-{
-    return build(a, (Collapse){ .nodes = nodes, .items = items, .parts = parts, .first_item = first_item });
-}
 
 uint32_t bvh_wide_node_count(const WideBvh *w) { return w->n_nodes; }
 
@@ -227,8 +114,15 @@ ALWAYS_INLINE unsigned mask_of(V8i truth)
     return (unsigned)((all & 0x8040201008040201u) * 0x0101010101010101u >> 56);
 }
 
-/* Children of n that the ray meets in [t_min, t_max], the nearest last. */
-ALWAYS_INLINE int meet_children(const WideNode *n, const Slabs *r, float t_min, float t_max, Waiting *out)
+/* Those that wait on the stack come from memory meanwhile: in a large tree that is what takes the time. */
+ALWAYS_INLINE void prefetch(const WideNode *n)
+{
+    for (size_t at = 0; at < sizeof *n; at += 64) __builtin_prefetch((const char *)n + at);
+}
+
+/* Children of n that the ray meets in [t_min, t_max], the nearest last, or in no order. */
+ALWAYS_INLINE int meet_children(const WideNode *nodes, const WideNode *n, const Slabs *r, float t_min, float t_max,
+                                bool in_order, Waiting *out)
 {
     V8f near = splat(t_min), far = splat(t_max);
     for (int k = 0; k < 3; k++) {
@@ -241,7 +135,8 @@ ALWAYS_INLINE int meet_children(const WideNode *n, const Slabs *r, float t_min, 
     for (unsigned met = mask_of(near <= far) & n->exists; met != 0; met &= met - 1) {
         int i = __builtin_ctz(met), at = n_met++;
         float t = near[i];
-        for (; at > 0 && out[at - 1].t < t; at--) out[at] = out[at - 1];
+        if (!(n->child[i] & IS_ITEM)) prefetch(&nodes[n->child[i]]);
+        for (; in_order && at > 0 && out[at - 1].t < t; at--) out[at] = out[at - 1];
         out[at] = (Waiting){ n->child[i], t };
     }
     return n_met;
@@ -257,31 +152,45 @@ static bool visit_single(const WideBvh *b, const Ray *r, double *t_max, BvhVisit
 
 ALWAYS_INLINE float limit_of(const Slabs *s, double t_max) { return float_up((t_max - s->start) * s->scale); }
 
-EVERY_X86
-bool bvh_wide_traverse(const WideBvh *b, const Ray *r, double *t_max, BvhVisit visit, void *context, Trace *t)
+typedef struct { BvhVisit visit; void *context; } Visitor;
+
+/* in_order: nearest boxes first, and none behind *t_max as visits lower it; else *t_max stays. */
+ALWAYS_INLINE bool traverse(const WideBvh *b, const Ray *r, double *t_max, Visitor v, Trace *t, bool in_order)
 {
     uint64_t *count = t->is_shadow_ray ? &t->counters.light_bv_intersections : &t->counters.bv_intersections;
     ++*count;
-    if (b->is_single) return visit_single(b, r, t_max, visit, context, t);
+    if (b->is_single) return visit_single(b, r, t_max, v.visit, v.context, t);
     if (!use_wide_ray(b, r, *t_max, t)) return false;
     Slabs slabs = t->wide.slabs;     /* the visitor's own trees may need another ray */
     Waiting stack[STACK_SIZE];
     float limit = limit_of(&slabs, *t_max), t_min = float_down((r->t_min - slabs.start) * slabs.scale);
-    int top = meet_children(&b->nodes[0], &slabs, t_min, limit, stack);
+    int top = meet_children(b->nodes, &b->nodes[0], &slabs, t_min, limit, in_order, stack);
     uint64_t n_boxes = b->nodes[0].n_children;
     bool ended = false;
     while (top > 0 && !ended) {
         Waiting next = stack[--top];
-        if (next.t > limit) continue;            /* a hit has come nearer since */
+        if (in_order && next.t > limit) continue;      /* a hit has come nearer since */
         if (next.child & IS_ITEM) {
-            ended = visit(context, next.child & ~IS_ITEM, r, t_max, t);
-            limit = limit_of(&slabs, *t_max);
+            ended = v.visit(v.context, next.child & ~IS_ITEM, r, t_max, t);
+            if (in_order) limit = limit_of(&slabs, *t_max);
         } else {
             const WideNode *n = &b->nodes[next.child];
             n_boxes += n->n_children;
-            top += meet_children(n, &slabs, t_min, limit, stack + top);
+            top += meet_children(b->nodes, n, &slabs, t_min, limit, in_order, stack + top);
         }
     }
     *count += n_boxes;
     return ended;
+}
+
+EVERY_X86
+bool bvh_wide_traverse(const WideBvh *b, const Ray *r, double *t_max, BvhVisit visit, void *context, Trace *t)
+{
+    return traverse(b, r, t_max, (Visitor){ visit, context }, t, true);
+}
+
+EVERY_X86
+bool bvh_wide_any(const WideBvh *b, const Ray *r, double t_max, BvhVisit visit, void *context, Trace *t)
+{
+    return traverse(b, r, &t_max, (Visitor){ visit, context }, t, false);
 }

@@ -6,13 +6,15 @@
 
 typedef struct WideBvh WideBvh;
 
-/* From a binary tree; the visitor is told items[first] of a leaf, or `first` itself where items is NULL. */
-WideBvh *bvh_wide_build(Arena *a, const BvhNode *nodes, const uint32_t *items);
+/* From a binary tree of n nodes; the visitor is told items[first] of a leaf, or `first` itself where items is NULL. (These
+ * two are in bvh_collapse.c.) */
+WideBvh *bvh_wide_build(Arena *a, const BvhNode *nodes, uint32_t n, const uint32_t *items);
 /* From a binary tree whose items are trees themselves, parts[i], or items (NULL); they are copied, and their items counted
  * from first_item[i]. */
-WideBvh *bvh_wide_join(Arena *a, const BvhNode *nodes, const uint32_t *items, const WideBvh *const parts[],
+WideBvh *bvh_wide_join(Arena *a, const BvhNode *nodes, uint32_t n, const uint32_t *items, const WideBvh *const parts[],
                        const uint32_t first_item[]);
 uint32_t bvh_wide_node_count(const WideBvh *w);
+bool bvh_wide_any(const WideBvh *w, const Ray *r, double t_max, BvhVisit visit, void *context, Trace *t);
 bool bvh_wide_traverse(const WideBvh *w, const Ray *r, double *t_max, BvhVisit visit, void *context, Trace *t);
 
 #endif

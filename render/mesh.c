@@ -102,7 +102,7 @@ static bool visit_any(void *context, uint32_t i, const Ray *r, double *t_max, Tr
 static bool mesh_blocks(const Shape *shape, const Ray *r, double t_max, Trace *t)
 {
     Search s = { .mesh = (const Mesh *)shape, .shear = shear_of(r) };
-    return bvh_traverse(s.mesh->bvh, r, &t_max, visit_any, &s, t);
+    return bvh_any(s.mesh->bvh, r, t_max, visit_any, &s, t);
 }
 
 /* Every crossing once: of faces that share an edge that the ray meets, one, or both or none where the mesh turns back. */

@@ -12,18 +12,84 @@ void shape_init(Shape *s, const ShapeType *type)
     atomic_init(&s->state, type->prepare ? SHAPE_RAW : SHAPE_READY);
 }
 
-/* One lock for all shapes: it is held for a few instructions, once or twice in a shape's life. Waiting cannot come round
+/* One lock for all shapes: it is held for a few instructions, some times in a shape's life. Waiting cannot come round
  * in a circle, because a shape only ever prepares what lies below it. */
 static pthread_mutex_t prepare_lock = PTHREAD_MUTEX_INITIALIZER;
 static pthread_cond_t prepare_done = PTHREAD_COND_INITIALIZER;
 
-/* Is the preparation ours to do? If another thread has it, waits until it is done. */
-static bool claim(Shape *s)
+/* What a preparation shares with the threads that wait for it; changed under the lock alone. */
+typedef struct Crew Crew;
+struct Crew {
+    const Shape *shape;
+    ShapeWork *work;
+    void *context;
+    uint32_t next, n;          /* pieces */
+    int n_helpers;
+    Arena *theirs;             /* the arenas of those that are done */
+    Crew *older;
+};
+static Crew *crews;
+
+static Crew *crew_of(const Shape *s)
+{
+    Crew *c = crews;
+    while (c && c->shape != s) c = c->older;
+    return c;
+}
+
+/* The lock is held, but for the work itself. */
+static void do_pieces(Crew *c, Arena *own, Trace *t)
+{
+    while (c->next < c->n) {
+        uint32_t i = c->next++;
+        pthread_mutex_unlock(&prepare_lock);
+        c->work(c->context, i, own, t);
+        pthread_mutex_lock(&prepare_lock);
+    }
+}
+
+/* Whoever waits for a shape helps with it alone: it may be preparing another one, but none that lies below this. */
+static void help(Crew *c, Trace *t)
+{
+    Arena *own = arena_new();
+    c->n_helpers++;
+    do_pieces(c, own, t);
+    arena_adopt(own, c->theirs);
+    c->theirs = own;
+    if (--c->n_helpers == 0) pthread_cond_broadcast(&prepare_done);
+}
+
+static void remove_crew(const Crew *c)
+{
+    Crew **at = &crews;
+    while (*at != c) at = &(*at)->older;
+    *at = c->older;
+}
+
+void shape_share_work(const Shape *s, Arena *own, uint32_t n, ShapeWork *work, void *context, Trace *t)
+{
+    pthread_mutex_lock(&prepare_lock);
+    Crew c = { .shape = s, .work = work, .context = context, .n = n, .older = crews };
+    crews = &c;
+    pthread_cond_broadcast(&prepare_done);     /* those that wait for s may help */
+    do_pieces(&c, own, t);
+    while (c.n_helpers > 0) pthread_cond_wait(&prepare_done, &prepare_lock);
+    remove_crew(&c);
+    pthread_mutex_unlock(&prepare_lock);
+    arena_adopt(own, c.theirs);
+}
+
+/* Is the preparation ours to do? If another thread has it, waits until it is done, and helps where it can. */
+static bool claim(Shape *s, Trace *t)
 {
     pthread_mutex_lock(&prepare_lock);
     bool is_ours = atomic_load(&s->state) == SHAPE_RAW;
     if (is_ours) atomic_store(&s->state, SHAPE_BUSY);
-    while (!is_ours && atomic_load(&s->state) != SHAPE_READY) pthread_cond_wait(&prepare_done, &prepare_lock);
+    while (!is_ours && atomic_load(&s->state) != SHAPE_READY) {
+        Crew *c = crew_of(s);
+        if (c && c->next < c->n) help(c, t);
+        else pthread_cond_wait(&prepare_done, &prepare_lock);
+    }
     pthread_mutex_unlock(&prepare_lock);
     return is_ours;
 }
@@ -39,7 +105,7 @@ static void announce(Shape *s)
 /* own NULL: in an arena of its own. */
 static void prepare(Shape *s, Arena *own, Trace *t)
 {
-    if (shape_was_prepared(s) || !claim(s)) return;
+    if (shape_was_prepared(s) || !claim(s, t)) return;
     double begun = stats_now(), counted = t->counters.prep_seconds;
     s->own = own ? NULL : arena_new();
     s->type->prepare(s, own ? own : s->own, t);

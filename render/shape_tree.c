@@ -60,34 +60,46 @@ ShapeTree *shape_tree_build(Arena *a, Shape *const shapes[], const unsigned char
     return tree;
 }
 
-/* The tree of each part that lends one, and the boxes of the others; the number of parts that do. */
-static uint32_t borrow_trees(const ShapeTree *tree, Arena *own, const Bvh **lent, Box *boxes, Trace *t)
+/* The tree of each part that lends one, and the boxes of the others. */
+typedef struct {
+    const ShapeTree *tree;
+    const Bvh **lent;
+    Box *boxes;
+} Lending;
+
+static void lend_part(void *context, uint32_t i, Arena *own, Trace *t)
 {
-    uint32_t n_lent = 0;
-    for (uint32_t i = 0; i < tree->n; i++) {
-        Shape *s = (Shape *)tree->parts[i].shape;    /* preparing it is the one change that is made to a shape */
-        lent[i] = s->type->lend ? s->type->lend(s, own, t) : NULL;
-        boxes[i] = lent[i] ? bvh_bounds(lent[i]) : tree_box(shape_bounds(s));
-        n_lent += lent[i] != NULL;
-    }
-    return n_lent;
+    const Lending *k = context;
+    Shape *s = (Shape *)k->tree->parts[i].shape;    /* preparing it is the one change that is made to a shape */
+    k->lent[i] = s->type->lend ? s->type->lend(s, own, t) : NULL;
+    k->boxes[i] = k->lent[i] ? bvh_bounds(k->lent[i]) : tree_box(shape_bounds(s));
 }
 
-void shape_tree_join(ShapeTree *tree, Arena *a, Trace *t)
+static bool any_lent(const Lending *k)
+{
+    for (uint32_t i = 0; i < k->tree->n; i++)
+        if (k->lent[i]) return true;
+    return false;
+}
+
+static void join(ShapeTree *tree, Arena *a, const Lending *k, Arena *scratch)
+{
+    uint32_t *first = ARENA_ARRAY(scratch, uint32_t, tree->n), n_items = 0;
+    for (uint32_t i = 0; i < tree->n; i++) first[i] = n_items, n_items += k->lent[i] ? bvh_item_count(k->lent[i]) : 1;
+    Item *items = ARENA_ARRAY(a, Item, n_items);
+    for (uint32_t i = 0; i < tree->n; i++)
+        for (uint32_t item = first[i], end = i + 1 < tree->n ? first[i + 1] : n_items; item < end; item++)
+            items[item] = (Item){ i, k->lent[i] ? item - first[i] : ALL_OF_IT };
+    tree->items = items;
+    tree->joined = bvh_join(a, k->boxes, k->lent, first, tree->n);
+}
+
+void shape_tree_join(ShapeTree *tree, const Shape *whole, Arena *a, Trace *t)
 {
     Arena *scratch = arena_new();
-    const Bvh **lent = ARENA_ARRAY(scratch, const Bvh *, tree->n);
-    Box *boxes = ARENA_ARRAY(scratch, Box, tree->n);
-    uint32_t *first = ARENA_ARRAY(scratch, uint32_t, tree->n), n_items = 0;
-    if (borrow_trees(tree, a, lent, boxes, t) > 0) {
-        for (uint32_t i = 0; i < tree->n; i++) first[i] = n_items, n_items += lent[i] ? bvh_item_count(lent[i]) : 1;
-        Item *items = ARENA_ARRAY(a, Item, n_items);
-        for (uint32_t i = 0; i < tree->n; i++)
-            for (uint32_t k = first[i], end = i + 1 < tree->n ? first[i + 1] : n_items; k < end; k++)
-                items[k] = (Item){ i, lent[i] ? k - first[i] : ALL_OF_IT };
-        tree->items = items;
-        tree->joined = bvh_join(a, boxes, lent, first, tree->n);
-    }
+    Lending k = { tree, ARENA_ARRAY(scratch, const Bvh *, tree->n), ARENA_ARRAY(scratch, Box, tree->n) };
+    shape_share_work(whole, a, tree->n, lend_part, &k, t);
+    if (any_lent(&k)) join(tree, a, &k, scratch);
     arena_free(scratch);
 }
 
@@ -203,5 +215,5 @@ bool shape_tree_blocks(const ShapeTree *tree, const Ray *r, unsigned skip, doubl
     if (is_still_blocked(&s, r, t_max, t)) return true;
     for (uint32_t i = 0; i < tree->n_unbounded; i++)
         if (meet_any(&s, (Item){ tree->unbounded[i], ALL_OF_IT }, r, &t_max, t)) return true;
-    return bvh_traverse(tree_searched(tree), r, &t_max, visit_any, &s, t);
+    return bvh_any(tree_searched(tree), r, t_max, visit_any, &s, t);
 }

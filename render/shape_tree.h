@@ -12,8 +12,9 @@ typedef struct ShapeTree ShapeTree;
  * others. */
 ShapeTree *shape_tree_build(Arena *a, Shape *const parts[], const unsigned char *flags, uint32_t n, bool unbounded_first);
 
-/* Joins the trees that parts lend (shape.h) with the tree over the parts; prepares these parts. */
-void shape_tree_join(ShapeTree *tree, Arena *a, Trace *t);
+/* Joins the trees that parts lend (shape.h) with the tree over the parts; prepares these parts, for the preparation of
+ * `whole`. */
+void shape_tree_join(ShapeTree *tree, const Shape *whole, Arena *a, Trace *t);
 
 /* As hit() and blocks() of a shape, over the parts none of whose flags is in `skip`. Hit.index is offset by the
  * primitives of the parts before the one that was hit. */

@@ -17,7 +17,7 @@ static void union_prepare(Shape *shape, Arena *own, Trace *t)
 {
     Union *u = (Union *)shape;
     u->tree = shape_tree_build(own, u->parts, NULL, u->n, false);
-    shape_tree_join(u->tree, own, t);
+    shape_tree_join(u->tree, shape, own, t);
 }
 
 static bool union_hit(const Shape *shape, const Ray *r, Hit *best, Trace *t)

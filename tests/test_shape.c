@@ -140,6 +140,69 @@ static void many_threads_prepare_a_shape_once(void **state)
     pthread_barrier_destroy(&start);
 }
 
+/* A shape that is prepared in pieces; the first one waits for another thread to take one of the others. */
+enum { PIECES = 100 };
+typedef struct {
+    Shape shape;
+    atomic_int n_done[PIECES], n_others;
+    int *in_arena[PIECES];
+    pthread_t first;
+} Shared;
+
+static void do_piece(void *context, uint32_t i, Arena *own, Trace *t)
+{
+    Shared *s = context;
+    (void)t;
+    atomic_fetch_add(&s->n_done[i], 1);
+    s->in_arena[i] = ARENA_NEW(own, int);
+    *s->in_arena[i] = (int)i;
+    if (!pthread_equal(pthread_self(), s->first)) atomic_fetch_add(&s->n_others, 1);
+    for (int k = 0; i == 0 && k < 10000 && atomic_load(&s->n_others) == 0; k++) wait_seconds(.001);
+}
+
+static void shared_prepare(Shape *shape, Arena *own, Trace *t)
+{
+    Shared *s = (Shared *)shape;
+    s->first = pthread_self();
+    shape_share_work(shape, own, PIECES, do_piece, s, t);
+}
+
+static bool shared_hit(const Shape *shape, const Ray *r, Hit *best, Trace *t)
+{
+    const Shared *s = (const Shared *)shape;
+    (void)r, (void)best, (void)t;
+    for (int i = 0; i < PIECES; i++)
+        if (atomic_load(&s->n_done[i]) != 1 || *s->in_arena[i] != i) return false;
+    return true;
+}
+
+static void *ask_shared(void *context)
+{
+    Trace t = { 0 };
+    Ray r = { vec(0, 0, 0), vec(0, 0, 1), 0 };
+    Hit h = { .t = INFINITY };
+    return shape_hit(context, &r, &h, &t) ? context : NULL;
+}
+
+static void threads_that_wait_for_a_shape_help_with_it(void **state)
+{
+    (void)state;
+    static const ShapeType type = { .name = "shared", .bounds = slow_bounds, .prepare = shared_prepare, .hit = shared_hit };
+    enum { THREADS = 4 };
+    static Shared s;
+    shape_init(&s.shape, &type);
+    pthread_t threads[THREADS];
+    for (int i = 0; i < THREADS; i++) assert_int_equal(pthread_create(&threads[i], NULL, ask_shared, &s), 0);
+    for (int i = 0; i < THREADS; i++) {
+        void *answer;
+        pthread_join(threads[i], &answer);
+        CHECK(answer, "thread %d saw a shape that was not ready", i);
+    }
+    CHECK(atomic_load(&s.n_others) > 0, "one thread did it all");
+    CHECK(arena_used(s.shape.own) >= PIECES * sizeof(int), "%zu bytes are the shape's", arena_used(s.shape.own));
+    shape_release(&s.shape);
+}
+
 static void time_is_counted_once_where_preparations_nest(void **state)
 {
     (void)state;
@@ -193,6 +256,7 @@ int main(void)
         cmocka_unit_test(without_blocks_hit_answers),
         cmocka_unit_test(a_shape_that_needs_nothing_is_ready),
         cmocka_unit_test(many_threads_prepare_a_shape_once),
+        cmocka_unit_test(threads_that_wait_for_a_shape_help_with_it),
         cmocka_unit_test(time_is_counted_once_where_preparations_nest),
         cmocka_unit_test(counters_are_added_without_exception),
         cmocka_unit_test(clocks_and_memory_make_sense),

@@ -1,0 +1,25 @@
+/* The nodes of a tree of eight-wide boxes: what bvh_collapse.c makes and bvh_wide.c walks. */
+#ifndef TRIMRAY_BVH_COLLAPSE_H
+#define TRIMRAY_BVH_COLLAPSE_H
+
+#include "render/bvh_wide.h"
+
+#define WIDE_WIDTH 8
+#define WIDE_IS_ITEM 0x80000000u
+
+typedef struct {
+    _Alignas(64) float side[2][3][WIDE_WIDTH];  /* lo and hi by axis; children that do not exist: lo +inf, hi -inf */
+    uint32_t child[WIDE_WIDTH];    /* a node, or WIDE_IS_ITEM and an item */
+    uint32_t n_children, exists;   /* exists: a bit for each */
+} WideNode;
+
+struct WideBvh {
+    const WideNode *nodes;         /* the root first */
+    uint32_t n_nodes;
+    Box bounds;
+    double largest, diagonal;      /* the largest coordinate of the bounds, and their diagonal */
+    bool is_single;                /* it has one item alone: */
+    uint32_t single;
+};
+
+#endif

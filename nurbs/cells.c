@@ -174,12 +174,15 @@ static void divide(Division *d, Cell c, Vec4 *net, bool is_mixed)
 
 /* ---- borders ---- */
 
-/* Points closer than this, relative to the surface's size, are one: far above rounding, far below any chord error. */
+/* Points closer than this, relative to the surface's size, are one, as far as who wrote them could tell: a thousand times the
+ * rounding of points of that size, far below any chord error. Their own rounding here comes on top: that of an evaluated
+ * point has 6 (k-1) for each direction (surface.c), closing 18 (k-1) (bezier.h). */
 #define ONE_POINT 1e-12
+#define CLOSED_ROUNDING 3
 
 static bool are_one(const Surface *s, Vec4 p, Vec4 q)
 {
-    return vec_length(vec_sub(vec4_project(p), vec4_project(q))) <= ONE_POINT * s->size
+    return vec_length(vec_sub(vec4_project(p), vec4_project(q))) <= ONE_POINT * s->size + 2 * CLOSED_ROUNDING * s->rounding
         && fabs(p.w - q.w) <= ONE_POINT * (p.w + q.w);
 }
 

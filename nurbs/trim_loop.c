@@ -213,12 +213,17 @@ static Outline outline_of(Arena *a, const TrimSteps *steps)
 
 /* ---- the whole ---- */
 
-/* Summed relative to the first point, so that the error is relative to the loop and not to its place. */
+/* Relative to the first point, so that the error is relative to the loop and not to its place; and by pieces, so that it is
+ * relative to their lengths: 6 roundings of |a| |b|, those of the differences, the products and their difference. What a
+ * million terms add up to is not rounded again. */
 double trim_signed_area(const Vec2 *p, int n)
 {
-    double twice = 0;
-    for (int i = 0; i < n; i++) twice += vec2_cross(vec2_sub(p[i], p[0]), vec2_sub(p[i + 1], p[0]));
-    return twice / 2;
+    Wide twice = wide(0);
+    for (int i = 0; i < n; i++) {
+        Vec2 a = vec2_sub(p[i], p[0]), b = vec2_sub(p[i + 1], p[i]);
+        twice = wide_add(twice, wide(vec2_cross(a, b)));
+    }
+    return twice.hi / 2;
 }
 
 static TrimPath path_of(const Outline *o)

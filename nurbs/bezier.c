@@ -40,6 +40,40 @@ void bezier_from_span(int k, const double tau[], int mu, int width, Vec4 p[])
     close_end(k, tau, mu, width, p);
 }
 
+/* ---- the same with twice the precision ---- */
+
+/* (at - from) / (to - from). Differences of knots are exact; of half the knots, where they overflow. */
+static Wide share(double from, double at, double to)
+{
+    Wide part = wide_sum(at, -from), all = wide_sum(to, -from);
+    return isfinite(all.hi) ? wide_div(part, all) : wide_div(wide_sum(at / 2, -from / 2), wide_sum(to / 2, -from / 2));
+}
+
+/* out = (1-s) a + s b; out may be a or b. */
+static void blend_wide(int width, Wide s, const Wide *a, const Wide *b, Wide *out)
+{
+    Wide r = wide_sub(wide(1), s);
+    for (int c = 0; c < width; c++)
+        if (a[c].hi != 0 || b[c].hi != 0) out[c] = wide_add(wide_mul(r, a[c]), wide_mul(s, b[c]));
+}
+
+void bezier_from_span_wide(int k, const double tau[], int mu, int width, Wide p[])
+{
+    double a = tau[mu], b = tau[mu + 1];
+    for (int q = 1; q < k; q++)
+        for (int i = 0; i < k - q; i++) {
+            Wide s = share(tau[mu - k + 1 + q + i], a, tau[mu + 1 + i]);
+            if (s.hi != 0) blend_wide(width, s, p + i * width, p + (i + 1) * width, p + i * width);
+        }
+    for (int q = 1; q < k; q++)
+        for (int i = k - 1; i >= q; i--) {
+            Wide s = share(a, b, tau[mu + i - q + 1]);
+            if (s.hi != 1 || s.lo != 0) blend_wide(width, s, p + (i - 1) * width, p + i * width, p + i * width);
+        }
+}
+
+/* ---- cutting ---- */
+
 /* De Casteljau's triangle shrinks towards block 0 here, and leaves its lower side behind: the part after s. */
 static void keep_after(int k, int width, double s, Vec4 p[])
 {

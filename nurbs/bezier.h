@@ -4,13 +4,18 @@
 #define TRIMRAY_BEZIER_H
 
 #include "nurbs/nurbs.h"
+#include "nurbs/wide.h"
 #include "render/box.h"
 
 /* Closes the knots about one span: p holds the B-spline control points mu-k+1 .. mu and becomes the Bézier polygon over
  * [tau[mu], tau[mu+1]], as if both knots had been inserted until their multiplicity is k-1 ([MCFS00] section 2.1).
- * Error per coordinate: every new point is 2(k-1) affine combinations deep, all convex but those of the first pass on
- * unclamped knots, whose factors are in [0, 1] as well: at most 8k u max|p|, u = 2^-53. */
+ * Error per coordinate: every new point is 2(k-1) convex combinations deep. A difference of knots has one rounding, relative
+ * to itself, however close they are: a share has three. It moves a combination by 3 u |b - a|, the combination's own
+ * roundings by 3 u max|p|: in all at most 18 (k-1) u max|p|, u = 2^-53. */
 void bezier_from_span(int k, const double tau[], int mu, int width, Vec4 p[]);
+
+/* The same with twice the precision, for blocks of `width` numbers: 2(k-1) combinations, whose shares err by 2^-100. */
+void bezier_from_span_wide(int k, const double tau[], int mu, int width, Wide p[]);
 
 /* Cuts at s in [0, 1] by de Casteljau's algorithm ([PT97] A1.5), which is the insertion of k-1 knots: left gets the part
  * before s, p becomes the part after it; they must not overlap. The last block of left equals the first of p, bit for bit.

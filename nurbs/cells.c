@@ -174,12 +174,15 @@ static void divide(Division *d, Cell c, Vec4 *net, bool is_mixed)
 
 /* ---- borders ---- */
 
-/* Points closer than this, relative to the surface's size, are one: far above rounding, far below any chord error. */
+/* Points closer than this, relative to the surface's size, are one, as far as who wrote them could tell: a thousand times the
+ * rounding of points of that size, far below any chord error. Their own rounding here comes on top: that of an evaluated
+ * point has 6 (k-1) for each direction (surface.c), closing 18 (k-1) (bezier.h). */
 #define ONE_POINT 1e-12
+#define CLOSED_ROUNDING 3
 
 static bool are_one(const Surface *s, Vec4 p, Vec4 q)
 {
-    return vec_length(vec_sub(vec4_project(p), vec4_project(q))) <= ONE_POINT * s->size
+    return vec_length(vec_sub(vec4_project(p), vec4_project(q))) <= ONE_POINT * s->size + 2 * CLOSED_ROUNDING * s->rounding
         && fabs(p.w - q.w) <= ONE_POINT * (p.w + q.w);
 }
 
@@ -234,7 +237,8 @@ static void make_patches(Division *d)
             int mu_u = g->u.mu[i], mu_v = g->v.mu[j];
             prepare_close_span(g->s, mu_u, mu_v, net);
             TrimRect span = { g->s->tau_u[mu_u], g->s->tau_u[mu_u + 1], g->s->tau_v[mu_v], g->s->tau_v[mu_v + 1] };
-            patch_make(d->arena, g->s->k_u, g->s->k_v, net, g->s->rounding, span, &patches[j * g->u.n + i]);
+            patch_make(d->arena, g->s->k_u, g->s->k_v, (WideNet){ net, NULL }, g->s->rounding, span,
+                       &patches[j * g->u.n + i]);
         }
     arena_reset(d->scratch, mark);
     d->out.patches = patches;

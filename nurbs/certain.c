@@ -31,8 +31,14 @@ static Vec2 step_along(const Tile *f, Vec3 d)
     return vec2(f->ds * (bb * ad - ab * bd) / det, f->dt * (aa * bd - ab * ad) / det);
 }
 
-/* Of a parameter that patch_u or patch_v computes: three roundings, none of a larger number than the ends. */
-static double last_bits(double x0, double x1) { return 3 * 0.5 * DBL_EPSILON * double_max(fabs(x0), fabs(x1)); }
+/* Roundings of a parameter that patch_u or patch_v computes, of its interval's larger end: two of the place in the patch,
+ * one of the interval's length and one of their product, all four relative to a length of twice that end at most, and one of
+ * the sum. */
+#define ROUNDINGS_OF_PARAMETER 9
+static double last_bits(double x0, double x1)
+{
+    return ROUNDINGS_OF_PARAMETER * 0.5 * DBL_EPSILON * double_max(fabs(x0), fabs(x1));
+}
 
 /* So often a line is halved where a trim runs beside it: it is then looked at in pieces of 2^-16. */
 enum { MAX_CUTS_ALONG = 16 };

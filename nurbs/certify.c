@@ -35,13 +35,29 @@ PatchRay patch_ray(Vec3 origin, Vec3 dir, double t_min, double t_max)
     return r;
 }
 
+/* ---- rounding ---- */
+
+/* That the planes' normals are not perpendicular to the ray, times 2^53: 1 for the direction's coordinates (vec_normalize
+ * has two roundings, the first is common to all), 4.5 for those of patch_ray, 9 since it takes the direction for a unit
+ * vector, whose length is off by 4.5: 1.5 of the sum of squares, 1 each of the root, the inverse and the product. The
+ * depth's are fewer: 4.5 of this, 3.5 of the length that t is in units of, 1 of its own quotient. */
+#define ROUNDINGS_OF_FRAME 15
+
+/* Two dot products with unit vectors have 3 roundings each, of sums of sizes that Cauchy's inequality bounds by the other
+ * vector's length: sqrt 2 times 3. */
+#define ROUNDINGS_OF_DOTS 5
+
+/* The ray's origin is taken about the tree's base and then about the patch's. (What the first rounds beyond u of the
+ * distance is in the patch's own: tile_tree.c.) */
+#define ROUNDINGS_OF_ORIGIN 2
+
+/* N.(H - w o) over w. The roundings of H and w are relative to the sizes of their terms, and so move the quotient by as much
+ * of the radius and of |o|. N.H is a dot product; N.o is one, and its product with w and the
+ * sum with N.H are as good as another. */
 double patch_rounding(const Patch *p, Vec3 offset)
 {
-    /* Every coordinate of S is a convex combination of points no longer than the radius: 2 (k_u + k_v) + 4 roundings,
-     * relative to it; N.S and N.o add 3 each, N itself is off by 4. All of them relative to the largest term, hence the
-     * maximum norm times 3 for a dot product of three terms. */
-    double n = 2 * (p->k_u + p->k_v) + 16;
-    return p->rounding + 0.5 * DBL_EPSILON * n * (p->radius + fabs(offset.x) + fabs(offset.y) + fabs(offset.z));
+    double n = p->roundings + (ROUNDINGS_OF_FRAME + 2 * ROUNDINGS_OF_DOTS + ROUNDINGS_OF_ORIGIN);
+    return p->rounding + 0.5 * DBL_EPSILON * n * (p->radius + vec_length(offset));
 }
 
 /* The plane equations of one ray and tile, and where the iteration stands. */
@@ -57,7 +73,8 @@ typedef struct {
     double ds, dt;
     double j11, j12, j21, j22, det;
     double c11, c12, c21, c22, c_det;   /* the frame's */
-    double contraction;            /* q of the frame's certificate */
+    double gain;                   /* the Frobenius norm of J_m^-1 over 2 w_middle, lengths being those of half the tile */
+    double contraction;            /* q of the frame's certificate: gain times variation */
 } Solve;
 
 ALWAYS_INLINE void set_to_ray(Solve *k)
@@ -103,6 +120,21 @@ ALWAYS_INLINE bool report(const Solve *k, RootVisit visit, void *context)
 
 typedef enum { NEWTON_INSIDE, NEWTON_OUTSIDE, NEWTON_UNDECIDED } NewtonResult;
 
+/* Beyond the patch the sizes of a combination's terms add up to more than itself: the Bernstein polynomials of order k to (1 +
+ * 2 d)^(k-1) at a distance of d, and roundings grow by as much. */
+static __attribute__((noinline)) double growth_at(const Patch *p, double x, double y)
+{
+    double d = double_max(double_max(-x, x - 1), double_max(-y, y - 1));
+    return d > 0 ? pow(1 + 2 * d, p->k_u + p->k_v - 2) : 1;
+}
+
+ALWAYS_INLINE double growth_beyond_patch(const Solve *k)
+{
+    const Tile *f = k->tile;
+    if (k->s >= 0 && k->s <= 1 && k->t >= 0 && k->t <= 1) return 1;
+    return growth_at(k->p, f->s0 + k->s * f->ds, f->t0 + k->t * f->dt);
+}
+
 /* A converged iterate: on the patch, as far as rounding can tell, which can move the root by |J^-1| times itself, and by the
  * last bit of s and t? */
 ALWAYS_INLINE NewtonResult place_of_root(const Solve *k)
@@ -110,37 +142,70 @@ ALWAYS_INLINE NewtonResult place_of_root(const Solve *k)
     const double lo = -TILE_MARGIN, hi = 1 + TILE_MARGIN;
     if (k->s >= 0 && k->s <= 1 && k->t >= 0 && k->t <= 1) return NEWTON_INSIDE;
     if (!(k->s > lo && k->s < hi && k->t > lo && k->t < hi)) return NEWTON_UNDECIDED;
-    double moved = k->rounding * k->last.value[3] / fabs(k->det);
+    double moved = growth_beyond_patch(k) * k->rounding * k->last.value[3] / fabs(k->det);
     double slack_s = moved * length2(k->j12, k->j22) + DBL_EPSILON, slack_t = moved * length2(k->j11, k->j21) + DBL_EPSILON;
     bool is_in = k->s >= -slack_s && k->s <= 1 + slack_s && k->t >= -slack_t && k->t <= 1 + slack_t;
     return is_in ? NEWTON_INSIDE : NEWTON_OUTSIDE;
 }
 
-/* Makes up for the rounding of a bound that is computed by some ten operations. */
+/* ---- what a step proves ---- */
+
+/* Makes up for the rounding of a bound that is computed by some ten operations, and of the frame's determinant: 2^-14
+ * (TILE_LEAST_VARIATION). */
 #define ROUNDED_UP 1.0001
+
+/* Roundings of a step by Cramer's rule, relative to it, over the determinant's share of the columns' lengths: 2 each of the
+ * determinants and their quotient. */
+#define ROUNDINGS_OF_STEP 6
+
+/* What rounding takes from these proofs: F at the iterate is `rounding` off, which moves the root that it tells of by
+ * J_m^-1 (I + E)^-1 times that; J is off by twice (k-1) as much, coefficients of a derivative being differences, and the step
+ * by its own rounding, both of which count as part of E. */
+typedef struct { double place, q; } Blur;
+
+ALWAYS_INLINE Blur blur_of(const Solve *k)
+{
+    const Tile *f = k->tile;
+    double u = f->length_s, v = f->length_t, off = growth_beyond_patch(k) * k->rounding * k->gain / f->w_middle;
+    double slopes = ((k->p->k_u - 1) * f->ds * v + (k->p->k_v - 1) * f->dt * u) / (u * v);
+    double own = 2 * ROUNDINGS_OF_STEP * 0.5 * DBL_EPSILON;
+    return (Blur){ 0.5 * off * k->last.value[3] / (1 - k->contraction), off * k->p->w_max * slopes + k->gain * own };
+}
+
+/* Lengths are those of half the tile. */
+ALWAYS_INLINE double length_of(const Solve *k, double ds, double dt)
+{
+    return length2(k->tile->length_s * ds, k->tile->length_t * dt);
+}
 
 /* Is it certain, from the Newton step (ds, dt) at (s, t), that the patch has no root? Let J = J_m (I + E_2) here and J_m (I
  * + E_1) on average on the way to a root x*: both |E| <= q in the frame's norm. Then x* - x = (I + E_1)^-1 (I + E_2) step,
  * so x* is within 2q/(1-q) |step| of x + step; if that is nearer than the patch, there is no such root. */
-ALWAYS_INLINE bool proves_miss(const Solve *k, double ds, double dt)
+ALWAYS_INLINE bool proves_miss(const Solve *k, double ds, double dt, Blur blur)
 {
-    double s = k->s + ds, t = k->t + dt, u = k->tile->length_s, v = k->tile->length_t;    /* lengths: of half the tile */
-    double out_s = u * double_max(double_max(-s, s - 1), 0), out_t = v * double_max(double_max(-t, t - 1), 0);
-    double step_s = u * ds, step_t = v * dt, reach = 2 * k->contraction / (1 - k->contraction);
-    return out_s * out_s + out_t * out_t > ROUNDED_UP * reach * reach * (step_s * step_s + step_t * step_t);
+    double s = k->s + ds, t = k->t + dt, out_s = double_max(-s, s - 1), out_t = double_max(-t, t - 1);
+    double reach = (2 * k->contraction + blur.q) / (1 - k->contraction);
+    return length_of(k, double_max(out_s, 0), double_max(out_t, 0))
+         > ROUNDED_UP * (reach * length_of(k, ds, dt) + blur.place);
 }
 
 /* The same from F at (s, t), where steps are clamped to the square with its margin. G(x) = x - J_m^-1 F(x) contracts with q,
  * and so does PG, P the clamping, which lengthens nothing: a root x* in the square has |x* - x| <= |PG(x) - x| / (1 - q),
- * and |G(x) - x| <= (1 + q) |x* - x|. (Lengths are in space, through those of the frame.) */
-ALWAYS_INLINE bool proves_miss_by_clamping(const Solve *k, double f1, double f2)
+ * and |G(x) - x| <= (1 + q) |x* - x|. */
+ALWAYS_INLINE bool proves_miss_by_clamping(const Solve *k, double f1, double f2, Blur blur)
 {
-    double scale = 1 / (2 * k->c_det * k->tile->w_middle), u = k->tile->length_s, v = k->tile->length_t;
+    double scale = 1 / (2 * k->c_det * k->tile->w_middle);
     double g_s = (k->c12 * f2 - k->c22 * f1) * scale, g_t = (k->c21 * f1 - k->c11 * f2) * scale;   /* of the tile */
     double p_s = clamped(k->s + g_s, -TILE_MARGIN, 1 + TILE_MARGIN) - k->s;
     double p_t = clamped(k->t + g_t, -TILE_MARGIN, 1 + TILE_MARGIN) - k->t;
     double least = (1 + k->contraction) / (1 - k->contraction);
-    return u * u * g_s * g_s + v * v * g_t * g_t > ROUNDED_UP * least * least * (u * u * p_s * p_s + v * v * p_t * p_t);
+    return length_of(k, g_s, g_t) > ROUNDED_UP * (least * length_of(k, p_s, p_t) + (1 + least) * blur.place);
+}
+
+ALWAYS_INLINE bool proves_to_miss(const Solve *k, double ds, double dt, double f1, double f2)
+{
+    Blur blur = blur_of(k);
+    return proves_miss(k, ds, dt, blur) || proves_miss_by_clamping(k, f1, f2, blur);
 }
 
 /* Is the root x*, if there is one, certainly out of the ray's reach? With the bounds of proves_miss, |x* - x| is within
@@ -148,11 +213,12 @@ ALWAYS_INLINE bool proves_miss_by_clamping(const Solve *k, double f1, double f2)
  * |S(x) - X| <= 2 w_middle/w (sqrt 2 + variation) |x* - x|, lengths being those of half the tile. */
 ALWAYS_INLINE bool is_out_of_reach(const Solve *k, double depth, double ds, double dt)
 {
-    double gap = double_max(k->r->t_min - depth, depth - k->r->t_max), u = k->tile->length_s, v = k->tile->length_t;
-    double far = ROUNDED_UP * (1 + k->contraction) * 2 * k->tile->w_middle * (M_SQRT2 + k->tile->variation);
-    double near = (1 - k->contraction) * k->last.value[3];
-    gap -= k->rounding;
-    return gap > 0 && gap * gap * near * near > far * far * (u * u * ds * ds + v * v * dt * dt);
+    double gap = double_max(k->r->t_min - depth, depth - k->r->t_max) - k->rounding;
+    if (!(gap > 0)) return false;
+    Blur blur = blur_of(k);
+    double far = (1 + k->contraction + blur.q) / (1 - k->contraction) * length_of(k, ds, dt) + blur.place;
+    double factor = ROUNDED_UP * 2 * k->tile->w_middle * (M_SQRT2 + k->tile->variation);
+    return gap * k->last.value[3] > factor * far;
 }
 
 /* From (s, t) to the root of F in the patch with its margin, if there is one. */
@@ -166,7 +232,7 @@ ALWAYS_INLINE NewtonResult newton(Solve *k, Trace *trace)
         double ds = (k->j12 * f2 - k->j22 * f1) * scale, dt = (k->j21 * f1 - k->j11 * f2) * scale;
         double s = clamped(k->s + ds, lo, hi), t = clamped(k->t + dt, lo, hi);
         bool leaves = s != k->s + ds || t != k->t + dt;
-        if (leaves && (proves_miss(k, ds, dt) || proves_miss_by_clamping(k, f1, f2))) return NEWTON_OUTSIDE;
+        if (leaves && proves_to_miss(k, ds, dt, f1, f2)) return NEWTON_OUTSIDE;
         if (step > 0 && is_out_of_reach(k, k->last.value[2] / k->last.value[3], ds, dt)) return NEWTON_OUTSIDE;
         k->ds = leaves ? s - k->s : ds, k->dt = leaves ? t - k->t : dt;    /* with bits that s and t have no room for */
         k->s = s, k->t = t;
@@ -200,10 +266,10 @@ ALWAYS_INLINE FrameResult frame_test(Solve *k)
     double column_s2 = k->c11 * k->c11 + k->c21 * k->c21, column_t2 = k->c12 * k->c12 + k->c22 * k->c22;
     double past_x = double_max(fabs(x) - det, 0), past_y = double_max(fabs(y) - det, 0);
     if (past_x * past_x > column_t2 * slack * slack || past_y * past_y > column_s2 * slack * slack) return FRAME_MISS;
-    double contraction2 = (column_s2 * v * v + column_t2 * u * u) * f->variation * f->variation, det2 = det * det;
+    double gain2 = column_s2 * v * v + column_t2 * u * u, contraction2 = gain2 * f->variation * f->variation, det2 = det * det;
     if (!(contraction2 < CONTRACTION * CONTRACTION * det2))
         return contraction2 < (double)WORTH_HALVING * WORTH_HALVING * det2 ? FRAME_UNDECIDED : FRAME_HOPELESS;
-    k->contraction = sqrt(contraction2 / det2);
+    k->gain = sqrt(gain2 / det2), k->contraction = k->gain * f->variation;
     const double lo = -TILE_MARGIN, hi = 1 + TILE_MARGIN, scale = 0.5 / k->c_det;
     k->s = clamped(0.5 + x * scale, lo, hi);
     k->t = clamped(0.5 + y * scale, lo, hi);

@@ -19,8 +19,8 @@ typedef struct {
     double guess_s, guess_t;
 } PatchRay;
 
-/* A norm that proves one root must be below 1; this leaves room for its own rounding and for a useful bound on the way
- * there. */
+/* A norm that proves one root must be below 1; this leaves room for its own rounding, which is below 2^-13 (a tile's
+ * determinant has 2^-14: TILE_LEAST_VARIATION), and for a useful bound on the way there. */
 #define CONTRACTION 0.98
 
 /* Newton's step that is shorter than this share of the patch or box is the last: the next error is about its square. */
@@ -46,7 +46,8 @@ typedef bool (*RootVisit)(void *context, const Tile *tile, PatchRay *ray, const 
  * into t. */
 bool tile_roots(const Tile *tile, PatchRay *ray, RootVisit visit, void *context, Trace *t);
 
-/* Rounding error of the plane equations over the weight: |computed N.(S - o) - true| <= this, for S on the patch. */
+/* Rounding error of the plane equations over the weight, and of the depth: for S on the patch the computed (N1.(S - o),
+ * N2.(S - o)), o = offset, are within this distance of the true ones, but for a factor near 1. */
 double patch_rounding(const Patch *p, Vec3 offset);
 
 #endif

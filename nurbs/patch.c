@@ -25,6 +25,10 @@ void bernstein(int k, double x, double b[], double d[])
     }
 }
 
+/* Of a Bernstein polynomial, relative to itself (1 - x is one; in kernel_bernstein 1, 3 and 5 at most for orders 2, 3 and 4;
+ * else three for each order below); of its product with a point; and k - 1 of the sum. Fused, there are fewer. */
+static int roundings_of_order(int k) { return (k <= 4 ? 2 * k - 3 : 3 * (k - 1)) + k; }
+
 EVERY_X86
 void patch_evaluate(const Patch *p, double s, double t, Vec4 *value, Vec4 *by_s, Vec4 *by_t)
 {
@@ -32,26 +36,43 @@ void patch_evaluate(const Patch *p, double s, double t, Vec4 *value, Vec4 *by_s,
     v4_store(value, at.value), v4_store(by_s, at.by_s), v4_store(by_t, at.by_t);
 }
 
-/* The points about the patch's own middle. One rounding a coordinate: fma(-w, o, wx). */
 EVERY_X86
-void patch_move_origin(Patch *p, Vec4 *points)
+static void move_points(Vec4 *p, int n, Vec3 to)
 {
-    Vec4 value, by_s, by_t;
-    p->p = points;
-    patch_evaluate(p, 0.5, 0.5, &value, &by_s, &by_t);
-    Vec3 o = p->origin = vec4_project(value);
-    for (int i = 0; i < p->k_u * p->k_v; i++) {
-        Vec4 *q = &points[i];
-        q->x = fma(-q->w, o.x, q->x), q->y = fma(-q->w, o.y, q->y), q->z = fma(-q->w, o.z, q->z);
-    }
+    for (int i = 0; i < n; i++) p[i] = patch_point_about(p[i], to);
 }
 
-/* Are the points of a side, n of them `step` apart, one point within the rounding? */
+void patch_move_origin(Patch *p, WideNet net)
+{
+    Vec4 value, by_s, by_t;
+    int n = p->k_u * p->k_v;
+    p->p = net.hi;
+    patch_evaluate(p, 0.5, 0.5, &value, &by_s, &by_t);
+    p->origin = vec4_project(value);
+    if (net.lo) wide_net_move(net, (size_t)n, p->origin);
+    else move_points(net.hi, n, p->origin);
+}
+
+/* That of the radius: 4 for a quotient and its square, 4 for the sum and its root. */
+#define RADIUS_ROUNDINGS 8
+
+/* Sets the radius, and what the rounding of the coordinates that are stored adds to the error. Each errs by u of itself, so
+ * that of a point is u of its length, and that of all their convex combinations u of the radius; so is what they are divided
+ * by, if it is not 1. */
+static void measure(Patch *p)
+{
+    const double u = 0.5 * DBL_EPSILON;
+    for (int i = 0; i < p->k_u * p->k_v; i++) p->radius = double_max(p->radius, vec_length(vec4_project(p->p[i])));
+    p->radius *= 1 + 2 * RADIUS_ROUNDINGS * u;
+    p->rounding += (p->is_polynomial ? 1 : 2) * u * p->radius;
+}
+
+/* Are the points of a side, n of them `step` apart, one point within the rounding of each? */
 static bool is_collapsed(const Patch *p, const Vec4 *side, int n, int step)
 {
     Vec3 first = vec4_project(side[0]);
     for (int i = 1; i < n; i++)
-        if (vec_length(vec_sub(vec4_project(side[i * step]), first)) > p->rounding) return false;
+        if (vec_length(vec_sub(vec4_project(side[i * step]), first)) > 2 * p->rounding) return false;
     return true;
 }
 
@@ -62,17 +83,18 @@ static unsigned collapsed_sides(const Patch *p)
         | (unsigned)is_collapsed(p, p->p, k_u, 1) << 2 | (unsigned)is_collapsed(p, p->p + (k_v - 1) * k_u, k_u, 1) << 3;
 }
 
-void patch_make(Arena *a, int k_u, int k_v, const Vec4 *points, double rounding, TrimRect interval, Patch *out)
+void patch_make(Arena *a, int k_u, int k_v, WideNet net, double error, TrimRect interval, Patch *out)
 {
     *out = (Patch){ .k_u = k_u, .k_v = k_v, .u0 = interval.u0, .u1 = interval.u1, .v0 = interval.v0, .v1 = interval.v1,
-                    .rounding = rounding, .is_polynomial = true };
+                    .rounding = error, .roundings = roundings_of_order(k_u) + roundings_of_order(k_v),
+                    .is_polynomial = true };
     for (int i = 0; i < k_u * k_v; i++) {
-        out->w_max = double_max(out->w_max, points[i].w);
-        out->is_polynomial = out->is_polynomial && points[i].w == 1;
+        out->w_max = double_max(out->w_max, net.hi[i].w);
+        out->is_polynomial = out->is_polynomial && net.hi[i].w == 1;
     }
-    patch_move_origin(out, arena_copy(a, points, (size_t)(k_u * k_v), sizeof *points));
-    for (int i = 0; i < k_u * k_v; i++) out->radius = double_max(out->radius, vec_length(vec4_project(out->p[i])));
-    out->radius *= 1 + 16 * DBL_EPSILON;    /* the rounding of the bound itself */
+    patch_move_origin(out, net);
+    out->p = arena_copy(a, net.hi, (size_t)(k_u * k_v), sizeof *net.hi);
+    measure(out);
     out->collapsed = collapsed_sides(out);
 }
 

@@ -6,6 +6,7 @@
 #define TRIMRAY_PATCH_H
 
 #include "nurbs/trim_tree.h"
+#include "nurbs/wide_net.h"
 #include "render/arena.h"
 #include "render/vec.h"
 
@@ -17,19 +18,27 @@ typedef struct {
     const Vec4 *p;                /* k_u * k_v points, u fastest */
     bool is_polynomial;           /* every w is 1 */
     double u0, u1, v0, v1;        /* its interval of the surface's parameters */
-    double rounding;              /* how far its points may be from where exact arithmetic has them */
+    double rounding;              /* how far S(s, t) may be from where exact arithmetic has it, wherever s and t are */
     double radius;                /* |S(s, t) - origin| <= radius */
+    double roundings;             /* of 2^-53 in a coordinate of patch_evaluate, relative to the sum of its terms' sizes */
     double w_max;                 /* the largest weight */
     unsigned collapsed;           /* bits for the sides s = 0, s = 1, t = 0, t = 1 that are one point, within the rounding */
     Arena *arena;                 /* for parts of it that rays ask for later (tile.c); NULL: none are made */
 } Patch;
 
-/* Fills *out from k_u * k_v homogeneous points {wx, wy, wz, w} of positive weight, u fastest; the points are copied.
- * `rounding` is their error: patches that share a border agree within theirs, and no ray passes between. */
-void patch_make(Arena *a, int k_u, int k_v, const Vec4 *points, double rounding, TrimRect interval, Patch *out);
+/* Fills *out from k_u * k_v homogeneous points {wx, wy, wz, w} of positive weight, u fastest, which move to the patch's own
+ * middle; net.hi is copied then. `error` is that of the points: patches that share a border agree within theirs, and no ray
+ * passes between. */
+void patch_make(Arena *a, int k_u, int k_v, WideNet net, double error, TrimRect interval, Patch *out);
 
-/* Moves a net (k_u * k_v points) to its own middle, which becomes p->origin, and p->p. */
-void patch_move_origin(Patch *p, Vec4 *net);
+/* Moves a net (k_u * k_v points) to its own middle, which becomes p->origin; net.hi becomes p->p. net.lo may be NULL: 0. */
+void patch_move_origin(Patch *p, WideNet net);
+
+/* A point about `to`: one rounding a coordinate. */
+static inline Vec4 patch_point_about(Vec4 p, Vec3 to)
+{
+    return vec4(fma(-p.w, to.x, p.x), fma(-p.w, to.y, p.y), fma(-p.w, to.z, p.z), p.w);
+}
 
 /* The surface's parameters of a place in the patch: monotone, and exact at the ends. */
 static inline double patch_u(const Patch *p, double s) { return s >= 1 ? p->u1 : p->u0 + s * (p->u1 - p->u0); }

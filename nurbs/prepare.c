@@ -44,17 +44,17 @@ static const Piece *make_pieces(Arena *a, Arena *scratch, int k, int n, const do
     return pieces;
 }
 
-/* Rounding of a cell's control points: closing (8k u a direction) and up to as many cuts as the span has cells (3k u each),
- * relative to the largest coordinate; and that of its interval, which the knots' own magnitude decides: u |t| / (t1 - t0) of
- * the cell's extent, for each end. */
+/* Rounding of a cell's control points: closing (18 (k-1) u a direction, as 6 cuts) and up to as many cuts as there are cells
+ * (3 (k-1) u each), relative to the largest coordinate, and as much for weights; and that of its interval, which the knots'
+ * own magnitude decides: u |t| / (t1 - t0) of the cell's extent, for each end. */
 static double box_slack(const Surface *s, const Cuts *u, const Cuts *v)
 {
     const double unit = DBL_EPSILON / 2;
-    double per_cut = s->rounding / 5;    /* more than (3 k_u + 3 k_v) u max|p|: see surface.c */
+    double per_cut = s->rounding / 2;    /* more than 3 (k_u + k_v - 2) u max|p|, with weights twice: see surface.c */
     double knots_u = fmax(fabs(s->u0), fabs(s->u1)) / (s->u1 - s->u0);
     double knots_v = fmax(fabs(s->v0), fabs(s->v1)) / (s->v1 - s->v0);
     double of_interval = s->k_u * (knots_u + 1) * u->n + s->k_v * (knots_v + 1) * v->n;
-    return per_cut * (u->n + v->n + 8) + 4 * unit * s->size * of_interval;
+    return per_cut * (u->n + v->n + 6) + 4 * unit * s->size * of_interval;
 }
 
 /* In units of half a leaf, as far as it is from the middle: second derivatives are a quarter of those over the leaf. */

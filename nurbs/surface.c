@@ -72,23 +72,22 @@ static Vec4 *homogeneous_points(Arena *a, const Vec4 *p, int n, bool is_polynomi
 /* Point i has a say on (tau_i, tau_{i+k}): does that meet the domain? */
 static bool matters(int k, int n, const double *tau, int i) { return tau[i] < tau[n] && tau[i + k] > tau[k - 1]; }
 
-/* The box, its diagonal and the rounding bound. A point is a sum of k_u k_v terms whose factors are convex combinations,
- * each factor at most 4 (k-1) roundings deep (refine.c: 4 a column), plus the two sums and the division: relative to the
- * largest coordinate that is below (5 k_u + 5 k_v + 4) u with u = 2^-53, to first order; with weights, for they are
- * positive, twice it: once for the numerator, once for the denominator. */
+/* The box, its diagonal and the rounding bound. A point is a sum of k_u k_v terms, whose factors are positive and come from
+ * k-1 columns of 5 roundings (refine.c: two differences of knots, a quotient, a product, a sum); with a product and k-1 sums
+ * in each direction and the division that is (6 k_u + 6 k_v - 9) u of the farthest control point, u = 2^-53, to first order.
+ * With weights it is twice that, once for the numerator and once for the denominator, and u more for the products. */
 static void measure(Surface *s, const Vec4 *euclidean)
 {
     Box box = box_empty();
-    double largest = 0;
     for (int j = 0; j < s->n_v; j++)
         for (int i = 0; i < s->n_u; i++) {
             if (!matters(s->k_u, s->n_u, s->tau_u, i) || !matters(s->k_v, s->n_v, s->tau_v, j)) continue;
             Vec4 p = euclidean[(size_t)j * (size_t)s->n_u + (size_t)i];
             box = box_add_point(box, vec(p.x, p.y, p.z));
-            largest = fmax(largest, vec_max_abs(vec(p.x, p.y, p.z)));
+            s->farthest = fmax(s->farthest, vec_length(vec(p.x, p.y, p.z)));
         }
-    int depth = 5 * (s->k_u + s->k_v) + 4;
-    s->rounding = (s->is_polynomial ? 1 : 2) * depth * (DBL_EPSILON / 2) * largest;
+    int depth = 6 * (s->k_u + s->k_v) - 8;
+    s->rounding = (s->is_polynomial ? 1 : 2) * depth * (DBL_EPSILON / 2) * s->farthest;
     s->size = box_diagonal(box);
     s->box = box_expand(box, s->rounding);
 }

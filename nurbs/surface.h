@@ -14,7 +14,8 @@ typedef struct {
     bool is_polynomial;              /* all weights are equal */
     double u0, u1, v0, v1;           /* the domain */
     Box box;                         /* of the control points that matter in the domain */
-    double size;                     /* diagonal of the box of the control points */
+    double size;                     /* diagonal of the box of these control points */
+    double farthest;                 /* of these, from the origin */
     double rounding;                 /* an evaluated point is at most this far from S(u, v): see surface.c */
     const TrimTree *trims;           /* NULL: the whole domain is kept */
 } Surface;

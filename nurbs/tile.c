@@ -18,18 +18,26 @@
 #include <math.h>
 #include <pthread.h>
 
-/* The bounds are computed by fewer than 2^10 roundings each, one after the other at worst. */
+static const double unit = 0.5 * DBL_EPSILON;
+
+/* Products, quotients, roots and sums of positive numbers make a bound, fewer than 2^10 of them one after the other. What is
+ * lost by differences is added to it. */
 #define ROUNDED_UP (1 + 0x1p-42)
 
 static Vec3 xyz(Vec4 p) { return vec(p.x, p.y, p.z); }
 
 static void to_floats(Vec3 x, float out[3]) { out[0] = (float)x.x, out[1] = (float)x.y, out[2] = (float)x.z; }
 
-/* How far a net may be from the patch, where it came to by halvings one after the other: those of the preparation, and
- * those on demand. Each coordinate errs by 3 (k - 1) u of the largest in one; ends add one more. */
-static double net_error(const Patch *p)
+/* Roundings of a net in each direction, for each of k - 1 combinations. The preparation halves at most five times, with one
+ * each (the products are exact). On demand tile_net takes 3 (1 - x, a product, the sum) and 5 (since x is a quotient, too,
+ * whose error counts twice), and a halving one more. */
+#define NET_ROUNDINGS 9
+_Static_assert(TILE_FIRST_HALVINGS <= NET_ROUNDINGS, "five halvings or one restriction");
+
+/* They are those of a convex combination; and of the weights that it is divided by, if these differ. */
+double tile_net_error(const Patch *p)
 {
-    return 0.5 * DBL_EPSILON * 3 * (p->k_u + p->k_v) * (2 * TILE_FIRST_HALVINGS + TILE_MAX_HALVINGS) * p->radius;
+    return (p->is_polynomial ? 1 : 2) * unit * NET_ROUNDINGS * (p->k_u + p->k_v - 2) * p->radius;
 }
 
 /* What the bounds are computed from: the net about the tile's middle, its orders, and the frame as it is stored. */
@@ -47,10 +55,7 @@ static void make_source(const Tile *f, const Vec4 *net, Source *out)
     const Patch *p = f->patch;
     Vec3 middle = tile_vec(f->middle);
     out->k_u = p->k_u, out->k_v = p->k_v, out->half_s = tile_vec(f->half_s), out->half_t = tile_vec(f->half_t);
-    for (int i = 0; i < p->k_u * p->k_v; i++) {
-        Vec4 q = net[i];
-        out->net[i] = vec4(fma(-q.w, middle.x, q.x), fma(-q.w, middle.y, q.y), fma(-q.w, middle.z, q.z), q.w);
-    }
+    for (int i = 0; i < p->k_u * p->k_v; i++) out->net[i] = patch_point_about(net[i], middle);
 }
 
 /* One row of k points, `stride` apart, on the interval [x0, x1] of its own [0, 1] (which may reach beyond): de Casteljau at
@@ -101,13 +106,6 @@ ALWAYS_INLINE double net_radius(const Vec4 *net, int n)
     return sqrt(most2);
 }
 
-ALWAYS_INLINE bool is_positive(const Vec4 *net, int n)
-{
-    for (int i = 0; i < n; i++)
-        if (!(net[i].w > 0)) return false;
-    return true;
-}
-
 /* Largest distance of the Bernstein coefficients of a derivative of the net from `middle`, and of its weight from 0. step is
  * the distance of neighbours along the derivative's direction, scale the degree over the interval's length. */
 ALWAYS_INLINE void derivative_spread(const Source *p, const Vec4 *net, int step, double scale, Vec3 middle,
@@ -126,28 +124,60 @@ ALWAYS_INLINE void derivative_spread(const Source *p, const Vec4 *net, int step,
     *spread = sqrt(most2);
 }
 
+/* Restricting to the margin adds 3 roundings and 5, and takes combinations with 1 + m and -m, then with m / (1 + m) and its
+ * opposite added to 1: sums of sizes grow by (1 + 2m) and by (1 + 3m) / (1 + m) each time, and errors with them. Two more
+ * are those of the way to the tile's middle. The result is relative: of the largest weight and, for points, of the patch's
+ * radius. */
+static double margin_error(const Source *p)
+{
+    const double grows = (1 + 2 * TILE_MARGIN) * (1 + 3 * TILE_MARGIN) / (1 + TILE_MARGIN);
+    int combinations = p->k_u + p->k_v - 2;
+    double error = unit * ((NET_ROUNDINGS + 8) * combinations + 2);
+    for (int i = 0; i < combinations; i++) error *= grows;
+    return error;
+}
+
+typedef struct { double lo, hi; } Weights;
+
+ALWAYS_INLINE Weights weights_of(const Vec4 *net, int n)
+{
+    Weights w = { INFINITY, 0 };
+    for (int i = 0; i < n; i++) w.lo = double_min(w.lo, net[i].w), w.hi = double_max(w.hi, net[i].w);
+    return w;
+}
+
+/* What is in the margin: an error of `error` w_max radius in a coordinate and error w_max in the weight moves a point by
+ * twice the sum of both over the weight, which is twice the errors at least. */
+ALWAYS_INLINE double margin_radius(const Vec4 *net, int n, double inner, double error, Weights w)
+{
+    double radius = double_max(inner, net_radius(net, n));
+    return radius + 4 * error * w.hi / w.lo * double_max(radius, inner);
+}
+
 /* Sets radius and variation of the tile, whose frame is there. */
 ALWAYS_INLINE void bound_variation(const Source *p, Tile *out)
 {
     int n = p->k_u * p->k_v;
     Vec4 net[NURBS_MAX_ORDER * NURBS_MAX_ORDER];
-    double radius = net_radius(p->net, n), length = 1 + 2 * TILE_MARGIN, spread_s, spread_t, w_s, w_t;
+    double whole = out->patch->radius, length = 1 + 2 * TILE_MARGIN, spread_s, spread_t, w_s, w_t, error = margin_error(p);
     for (int i = 0; i < n; i++) net[i] = p->net[i];
     net_restrict(p->k_u, p->k_v, net, -TILE_MARGIN, 1 + TILE_MARGIN, -TILE_MARGIN, 1 + TILE_MARGIN);
+    Weights w = { weights_of(net, n).lo, weights_of(p->net, n).hi };
     out->variation = INFINITY;
-    bool has_margin = is_positive(net, n);    /* extrapolated weights may not be: then the margin proves nothing */
-    if (has_margin) radius = double_max(radius, net_radius(net, n));
-    out->radius = float_up(radius * ROUNDED_UP + net_error(out->patch));
+    bool has_margin = w.lo > 2 * error * w.hi;    /* extrapolated weights may be negative: then the margin proves nothing */
+    double radius = net_radius(p->net, n) + tile_net_error(out->patch) + 2 * unit * whole;
+    if (has_margin) radius = margin_radius(net, n, radius, error, w);
+    out->radius = float_up(radius * ROUNDED_UP);
     double s = 2.0 * out->w_middle * out->length_s, t = 2.0 * out->w_middle * out->length_t;
     if (!has_margin || !(s > 0) || !(t > 0) || !isfinite(s) || !isfinite(t) || !isfinite(radius)) return;
     Vec3 by_s = vec_scale(p->half_s, 2.0 * out->w_middle), by_t = vec_scale(p->half_t, 2.0 * out->w_middle);
     derivative_spread(p, net, 1, (p->k_u - 1) / length, by_s, &spread_s, &w_s);
     derivative_spread(p, net, p->k_u, (p->k_v - 1) / length, by_t, &spread_t, &w_t);
-    double error = 2 * net_error(out->patch) * out->patch->w_max;    /* of a difference of neighbours */
-    double r_s = (spread_s + (p->k_u - 1) * error + out->radius * w_s) / s;
-    double r_t = (spread_t + (p->k_v - 1) * error + out->radius * w_t) / t;
-    double variation = sqrt(r_s * r_s + r_t * r_t) * ROUNDED_UP;
-    if (variation < FLT_MAX) out->variation = float_up(variation);
+    double lost = 3 * error * w.hi * (whole + out->radius);    /* by neighbours, and by their differences with by_s, by_t */
+    double r_s = (spread_s + (p->k_u - 1) * lost + out->radius * w_s) / s;
+    double r_t = (spread_t + (p->k_v - 1) * lost + out->radius * w_t) / t;
+    double variation = sqrt(r_s * r_s + r_t * r_t) * ROUNDED_UP + M_SQRT2 * TILE_VIEW_ROUNDINGS * unit;
+    if (variation < FLT_MAX) out->variation = float_up(double_max(variation, TILE_LEAST_VARIATION));
 }
 
 /* ---- deviation ---- */
@@ -196,6 +226,16 @@ ALWAYS_INLINE double rational_deviation(const Source *p)
     return sqrt(most2) / w_min;
 }
 
+/* That of the net; up to 16 roundings of its points and 10 of the half-vectors in their sums and differences, over the least
+ * weight; and those of a ray's view. */
+static double deviation_error(const Source *p, const Tile *tile)
+{
+    Weights w = weights_of(p->net, p->k_u * p->k_v);
+    double lengths = (double)tile->length_s + tile->length_t;
+    double of_sums = unit * (16 * tile->patch->radius + 10 * lengths);
+    return (tile_net_error(tile->patch) + of_sums) * w.hi / w.lo + TILE_VIEW_ROUNDINGS * unit * lengths;
+}
+
 /* ---- the tile ---- */
 
 EVERY_X86
@@ -234,7 +274,7 @@ void tile_make(const Patch *p, const Vec4 *net, TilePlace place, Tile *out)
     out->length_t = float_up(vec_length(source.half_t) * ROUNDED_UP);
     bound_variation(&source, out);
     double deviation = p->is_polynomial ? polynomial_deviation(&source) : rational_deviation(&source);
-    deviation = deviation * ROUNDED_UP + net_error(p);
+    deviation = deviation * ROUNDED_UP + deviation_error(&source, out);
     out->deviation = deviation < FLT_MAX ? float_up(deviation) : INFINITY;
 }
 
@@ -265,7 +305,7 @@ TileBend tile_bend(int k_u, int k_v, const Vec4 *points)
     Vec4 net[NURBS_MAX_ORDER * NURBS_MAX_ORDER], value, by_s, by_t;
     Patch p = { .k_u = k_u, .k_v = k_v };
     for (int i = 0; i < k_u * k_v; i++) net[i] = points[i];
-    patch_move_origin(&p, net);
+    patch_move_origin(&p, (WideNet){ net, NULL });
     patch_evaluate(&p, 0.5, 0.5, &value, &by_s, &by_t);
     double length_s = vec_length(xyz(by_s)), length_t = vec_length(xyz(by_t)), radius = length_s + length_t;
     int m = k_u - 1, n = k_v - 1;

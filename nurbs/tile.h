@@ -16,6 +16,14 @@
  * iterate that overshoots, and what varies with the distance varies by an eighth more over the larger square. */
 #define TILE_MARGIN 0.0625
 
+/* What is rounded when a ray looks at the half-vectors, of 2^-53 of their lengths: 15 since its planes are not quite
+ * perpendicular, 5 of two dot products (certify.c has both), 2 of a determinant with them. */
+#define TILE_VIEW_ROUNDINGS 22
+
+/* The variation is at least this. So a determinant of the half-vectors that proves anything is more than 2^-38 of their
+ * lengths' product, and its own roundings, 2 of 2^-53, are less than 2^-14 of it. */
+#define TILE_LEAST_VARIATION 0x1p-38
+
 typedef struct Tile Tile;
 struct Tile {
     const Patch *patch;
@@ -23,7 +31,8 @@ struct Tile {
     float s0, t0, ds, dt;            /* where it lies in the patch's [0, 1]: exact, powers of two and their multiples */
     float middle[3];                 /* S(1/2, 1/2), about the patch's origin */
     float radius;                    /* |S - middle| <= radius, with the margin */
-    /* S(s, t) = middle + (2s-1) half_s + (2t-1) half_t + r, |r| <= deviation on the tile. */
+    /* S(s, t) = middle + (2s-1) half_s + (2t-1) half_t + r, |r| <= deviation on the tile; that has room for
+     * TILE_VIEW_ROUNDINGS, and so has the variation. */
     float half_s[3], length_s;       /* length_s >= |half_s| */
     float half_t[3], length_t;
     float deviation;
@@ -40,6 +49,9 @@ static inline Vec3 tile_vec(const float x[3]) { return vec(x[0], x[1], x[2]); }
 /* From the net over the tile, k_u * k_v homogeneous points about the patch's origin. place: s0, t0, ds, dt. */
 typedef struct { double s0, t0, ds, dt; } TilePlace;
 void tile_make(const Patch *p, const Vec4 *net, TilePlace place, Tile *out);
+
+/* How far such a net may be from where exact arithmetic has it. */
+double tile_net_error(const Patch *p);
 
 /* The net of a patch over a place within it. */
 void tile_net(const Patch *p, TilePlace place, Vec4 *net);

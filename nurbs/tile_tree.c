@@ -3,16 +3,15 @@
 
 #include "nurbs/bezier.h"
 #include "nurbs/knots.h"
-#include "nurbs/prepare.h"
 
 #include <float.h>
-#include <string.h>
 
 /* The tree of boxes is the tree of halvings itself, below a halving of the grid of spans: neighbours in the parameters are
  * neighbours in space, and nothing has to be sorted. */
 typedef struct {
-    const Surface *s;                /* its points about the tree's base */
-    double rounding;                 /* of the patches' points */
+    const Surface *s;
+    WideSurface wide;                /* its points about the tree's base */
+    double error;                    /* of these, and of the patches' before they are rounded */
     Vec3 to_bvh;                     /* from the tree's base to that of its boxes */
     double variation;                /* that patches may have */
     Arena *own, *lists;
@@ -44,6 +43,14 @@ static bool join_pair(Preparation *k, uint32_t at, uint32_t pair, bool has_first
 /* What is cut: where it lies, and which interval of the surface's parameters that is. */
 typedef struct { const Patch *patch; TilePlace place; TrimRect rect; } Part;
 
+/* A box round all that the tile may be: its net and its patch may be off, and the way to the net's corners is rounded. */
+static Box box_of_tile(const Preparation *k, const Vec4 *net, const Patch *p)
+{
+    Vec3 to = vec_add(p->origin, k->to_bvh);
+    Box hull = box_moved(bezier_hull(p->k_u * p->k_v, net), to);
+    return box_expand(hull, p->rounding + tile_net_error(p) + DBL_EPSILON * (vec_max_abs(to) + p->radius));
+}
+
 /* false: on a closer look it is wholly trimmed away. */
 static bool keep_tile(Preparation *k, uint32_t at, const Vec4 *net, const Part *part)
 {
@@ -54,8 +61,7 @@ static bool keep_tile(Preparation *k, uint32_t at, const Vec4 *net, const Part *
         return false;
     }
     k->n_untested += s->trims && !cell;
-    Box hull = box_moved(bezier_hull(s->k_u * s->k_v, net), vec_add(part->patch->origin, k->to_bvh));
-    k->nodes[at] = (BvhNode){ box_expand(hull, 2 * k->rounding), (uint32_t)k->n_tiles, 1 };
+    k->nodes[at] = (BvhNode){ box_of_tile(k, net, part->patch), (uint32_t)k->n_tiles, 1 };
     tile_make(part->patch, net, part->place, &ARENA_PUSH(k->lists, k->tiles, k->n_tiles, k->tiles_capacity));
     if (s->trims) ARENA_PUSH(k->lists, k->cells, k->n_cells, k->cells_capacity) = cell;
     return true;
@@ -95,6 +101,10 @@ static bool grow_tiles(Preparation *k, uint32_t at, Vec4 *net, Part part, Halvin
     return join_pair(k, at, pair, has_a, has_b);
 }
 
+/* What the origin of a ray about the base is rounded by (certain.c), beyond u of its distance from the patch: as good as an
+ * error of the patch. */
+static double rounding_about_base(Vec3 origin) { return 0.5 * DBL_EPSILON * vec_length(origin); }
+
 /* One span: its patch, unless the trims leave nothing of it. */
 static bool grow_span(Preparation *k, uint32_t at, int mu_u, int mu_v)
 {
@@ -104,12 +114,12 @@ static bool grow_span(Preparation *k, uint32_t at, int mu_u, int mu_v)
         k->n_cut++;
         return false;
     }
-    Vec4 net[NURBS_MAX_ORDER * NURBS_MAX_ORDER];
+    Vec4 net[NURBS_MAX_ORDER * NURBS_MAX_ORDER], low[NURBS_MAX_ORDER * NURBS_MAX_ORDER];
     Patch *patch = ARENA_NEW(k->own, Patch);
-    prepare_close_span(s, mu_u, mu_v, net);
-    patch_make(k->own, s->k_u, s->k_v, net, k->rounding, rect, patch);
+    wide_surface_close(&k->wide, mu_u, mu_v, (WideNet){ net, low });
+    patch_make(k->own, s->k_u, s->k_v, (WideNet){ net, low }, k->error, rect, patch);
+    patch->rounding += rounding_about_base(patch->origin);
     patch->arena = k->own;
-    memcpy(net, patch->p, (size_t)(s->k_u * s->k_v) * sizeof *net);
     Halvings all = { TILE_FIRST_HALVINGS, TILE_FIRST_HALVINGS };
     return grow_tiles(k, at, net, (Part){ patch, { 0, 0, 1, 1 }, rect }, all);
 }
@@ -136,31 +146,13 @@ static int *list_spans(Arena *a, int k, int n, const double *tau, int *n_spans)
     return list;
 }
 
-/* The control points about their middle: one rounding relative to the surface's own size, fma(-w, base, wx). */
-static Vec4 *points_about(Arena *a, const Surface *s, Vec3 base)
+/* How far the surface may be from where exact arithmetic has it, in space, before the patches' points are rounded (patch.c).
+ * Where weights differ they have been multiplied with coordinates (surface.c), which rounds each by u = 2^-53 of itself,
+ * however far off it is; a point, by u of its distance from the origin, and no point of the surface by more than the
+ * farthest control point. */
+static double error_of_surface(const Surface *s)
 {
-    size_t n = (size_t)s->n_u * (size_t)s->n_v;
-    Vec4 *p = arena_copy(a, s->p, n, sizeof *p);
-    for (size_t i = 0; i < n; i++) {
-        p[i].x = fma(-p[i].w, base.x, p[i].x);
-        p[i].y = fma(-p[i].w, base.y, p[i].y);
-        p[i].z = fma(-p[i].w, base.z, p[i].z);
-    }
-    return p;
-}
-
-/* How far the points of a patch may be from where exact arithmetic has them, in space: u = 2^-53 of the surface's size for
- * each rounding. Closing a span takes 2 (k-1) combinations in each direction (bezier.h), moving the points about the base
- * one more. Not the worst case of these, which is 8 k a direction: roundings of either sign are averaged by every
- * combination, and neighbours close their border with the same numbers; tests hold it against exact arithmetic. Weights have
- * been multiplied with coordinates before (surface.c), which rounds by u of these, however far off they are: of three by
- * sqrt 3. */
-static double rounding_of_patches(const Surface *s)
-{
-    double u = 0.5 * DBL_EPSILON, farthest = 0;
-    Vec3 lo = vec(s->box.lo[0], s->box.lo[1], s->box.lo[2]), hi = vec(s->box.hi[0], s->box.hi[1], s->box.hi[2]);
-    if (!s->is_polynomial) farthest = double_max(vec_max_abs(lo), vec_max_abs(hi));
-    return u * (s->k_u + s->k_v + 8) * s->size + sqrt(3) * u * farthest;
+    return WIDE_NET_ERROR * s->size + (s->is_polynomial ? 0 : 0.5 * DBL_EPSILON * s->farthest);
 }
 
 /* A patch of high order is dear to keep, k_u k_v points: up to order 4 nothing changes, beyond it patches may vary more, so
@@ -177,15 +169,14 @@ static double coarseness(const Surface *s)
 
 void tile_tree_make(Arena *a, const Surface *surface, double variation, TileTree *out)
 {
-    Preparation k = { .own = a, .lists = arena_new(), .rounding = rounding_of_patches(surface) };
+    Preparation k = { .own = a, .lists = arena_new(), .error = error_of_surface(surface) };
     k.variation = (variation > 0 ? variation : TILE_VARIATION) * coarseness(surface);
     size_t used = arena_used(a);
     Vec3 base = box_centre(surface->box), nowhere = { 0, 0, 0 };
     bool is_far = vec_max_abs(base) > FAR_OFF * box_diagonal(surface->box);
     k.to_bvh = is_far ? nowhere : base;
-    Surface about_base = *surface, *s = &about_base;
-    about_base.p = points_about(k.lists, surface, base);
-    k.s = s;
+    const Surface *s = k.s = surface;
+    k.wide = wide_surface_make(k.lists, s, base);
     SpanRange all = { 0 };
     k.spans_u = list_spans(k.lists, s->k_u, s->n_u, s->tau_u, &all.u1);
     k.spans_v = list_spans(k.lists, s->k_v, s->n_v, s->tau_v, &all.v1);

@@ -35,10 +35,16 @@ static double largest(int k, const WideControl *p, int order)
     return fmax(x, y) + w;
 }
 
+/* Of the first parts, of the coordinate's sum with the weight, of the product with these. */
+#define ROUNDINGS_OF_SIZE 4
+/* Second differences are 4 sizes at most: 4 roundings of the first parts, 3 and 4 of their sums, and 4 each of the sum with
+ * the weight's, that with these roundings, and the product. */
+#define ROUNDINGS_OF_BEND 24
+
 TrimSegment trim_segment_make(int k, const WideControl *p)
 {
-    TrimSegment s = { .k = k, .p = p, .size = largest(k, p, 0) * (1 + 8 * unit) };
-    s.bend = (k - 1) * (k - 2) * (largest(k, p, 2) + 16 * unit * s.size);
+    TrimSegment s = { .k = k, .p = p, .size = largest(k, p, 0) * (1 + ROUNDINGS_OF_SIZE * unit) };
+    s.bend = (k - 1) * (k - 2) * (largest(k, p, 2) + ROUNDINGS_OF_BEND * unit * s.size);
     return s;
 }
 
@@ -77,13 +83,19 @@ static int hodograph(const TrimSegment *s, int coordinate, double out[])
             const WideControl *a = s->p + i, *b = s->p + r - i;
             Wide term = wide_sub(wide_mul(coordinate_of(a + 1, coordinate), b->w),
                                  wide_mul(coordinate_of(a, coordinate), b[1].w));
-            sum = wide_add(sum, wide_mul(term, wide(row[i] * row[r - i])));
+            sum = wide_add(sum, wide_mul(term, wide_product(row[i], row[r - i])));
         }
         out[r] = sum.hi / all;
         all = all * (2 * d - r) / (r + 1);
     }
     return 2 * d + 1;
 }
+
+/* A hodograph's m = 2k - 3 coefficients are known to 64 m of WIDE_UNIT, m 2^-97, of size^2. Control points come from m + 1
+ * combinations (bezier_from_span_wide: 2^-98.7 each, wide_net.h) and from the way to the unit square (2^-99.8 with the
+ * weight); a coordinate times a weight is a quarter of size^2 at most, and there are two such products of two factors each.
+ * Their own arithmetic adds 2 m roundings. So what is below this is no turn, but a straight line along an axis. */
+#define TURN_ROUNDINGS 64
 
 static int by_value(const void *a, const void *b)
 {
@@ -97,7 +109,7 @@ int trim_segment_turns(const TrimSegment *s, double t[])
     int n = 0, distinct = 0;
     for (int coordinate = 0; coordinate < 2; coordinate++) {
         int m = hodograph(s, coordinate, c);
-        n += bernstein_turns(m, c, 64 * m * WIDE_UNIT * s->size * s->size, t + n);
+        n += bernstein_turns(m, c, TURN_ROUNDINGS * m * WIDE_UNIT * s->size * s->size, t + n);
     }
     qsort(t, (size_t)n, sizeof *t, by_value);
     for (int i = 0; i < n; i++)
@@ -116,17 +128,23 @@ void trim_arc_control(const TrimArc *arc, Vec4 out[])
     bezier_cut(s->k, 1, arc->t0 / arc->t1, out, whole);  /* what is after t0 */
 }
 
+/* A control point's, for each of k: cutting twice has 3 and 5 (where its place is a quotient), relative to the sizes of
+ * coordinate and weight together, in both coordinates sqrt 2 times as many; and the rest is for the distance. */
+#define BULGE_ROUNDINGS 16
+
 TrimArc trim_arc_make(const TrimSegment *s, double t0, double t1)
 {
     TrimArc arc = { s, t0, t1, control_at(s, t0).w.hi, control_at(s, t1).w.hi, 0 };
     Vec4 p[NURBS_MAX_ORDER];
     trim_arc_control(&arc, p);
     Vec2 a = wide_point_round(trim_segment_at(s, t0)), b = wide_point_round(trim_segment_at(s, t1));
+    double w_min = fmin(arc.w0, arc.w1);
     for (int i = 0; i < s->k; i++) {
         Vec2 q = vec2(p[i].x / p[i].w, p[i].y / p[i].w);
+        w_min = fmin(w_min, p[i].w);
         arc.bulge = fmax(arc.bulge, vec2_length(vec2_sub(q, trim_piece_nearest(a, b, q))));
     }
-    arc.bulge += 16 * s->k * unit * s->size / fmin(arc.w0, arc.w1);
+    arc.bulge += BULGE_ROUNDINGS * s->k * unit * s->size / w_min;
     return arc;
 }
 
@@ -280,10 +298,9 @@ static double area_of(int k, Vec4 p[], double whole, double tolerance, int halvi
     return area_of(k, left, a, tolerance, halvings + 1) + area_of(k, p, b, tolerance, halvings + 1);
 }
 
-/* The tolerance: this share of the arc's box, for areas are compared and summed only; but not less than what rounding (some
- * units of 2^-53) makes of the arc's length in the unit square. */
-#define AREA_ERROR 0x1p-30
-#define AREA_ROUNDING 0x1p-50
+/* The tolerance, of the arc's length in the unit square: the direction of a loop between two arcs is that of the difference
+ * of their areas, however close they are (TRIM_THIN). 8 units of 2^-53, less than the control points' own rounding. */
+#define AREA_ERROR 0x1p-50
 
 double trim_arc_area(const TrimArc *arc)
 {
@@ -293,5 +310,5 @@ double trim_arc_area(const TrimArc *arc)
     double x = p[0].x / p[0].w, y = p[0].y / p[0].w;
     for (int i = 0; i < k; i++) p[i] = vec4(p[i].x - x * p[i].w, p[i].y - y * p[i].w, 0, p[i].w);
     double dx = fabs(p[k - 1].x / p[k - 1].w), dy = fabs(p[k - 1].y / p[k - 1].w);
-    return area_of(k, p, area_by_rule(k, p), AREA_ERROR * dx * dy + AREA_ROUNDING * (dx + dy), 0);
+    return area_of(k, p, area_by_rule(k, p), AREA_ERROR * (dx + dy), 0);
 }

@@ -1,6 +1,7 @@
 /* B-spline curves in the parameter plane: their spans as Bézier segments. See trim_curve.h. */
 #include "nurbs/trim_curve.h"
 
+#include "nurbs/bezier.h"
 #include "nurbs/knots.h"
 
 /* Weights below this part of the segment's greatest are raised to it: so far apart they act alike, and their quotients must
@@ -62,24 +63,6 @@ bool trim_curve_starts_at(const TrimCurveDesc *c, int s)
     return s == trim_curve_span(c, 0) || c->knots[s - c->order + 1] == c->knots[s];
 }
 
-static WideControl blend(WideControl a, WideControl b, Wide s)
-{
-    return (WideControl){ wide_lerp(a.x, b.x, s), wide_lerp(a.y, b.y, s), wide_lerp(a.w, b.w, s) };
-}
-
-static Wide share(double from, double at, double to) { return wide_div(wide_sum(at, -from), wide_sum(to, -from)); }
-
-/* bezier_from_span (bezier.c says how it works) with twice the precision. */
-static void close_span(int k, const double tau[], int mu, WideControl p[])
-{
-    for (int q = 1; q < k; q++)
-        for (int i = 0; i < k - q; i++)
-            p[i] = blend(p[i], p[i + 1], share(tau[mu - k + 1 + q + i], tau[mu], tau[mu + 1 + i]));
-    for (int q = 1; q < k; q++)
-        for (int i = k - 1; i >= q; i--)
-            p[i] = blend(p[i - 1], p[i], share(tau[mu], tau[mu + 1], tau[mu + i - q + 1]));
-}
-
 void trim_curve_segment(const TrimCurveDesc *c, const TrimRect *domain, int s, WideControl out[])
 {
     int k = c->order, exponent;
@@ -92,5 +75,5 @@ void trim_curve_segment(const TrimCurveDesc *c, const TrimRect *domain, int s, W
         Wide w = wide(fmax(ldexp(given[i].z, -exponent), LEAST_WEIGHT));
         out[i] = (WideControl){ wide_mul(w, q.x), wide_mul(w, q.y), w };
     }
-    close_span(k, c->knots, s, out);
+    bezier_from_span_wide(k, c->knots, s, sizeof *out / sizeof(Wide), &out->x);
 }

@@ -82,11 +82,13 @@ static void add_clamped(Outline *o, WidePoint p) { add_vertex(o, (WidePoint){ to
 
 /* ---- straight pieces ---- */
 
+static bool is_passed(double x, double y, int border) { return (x < border && y > border) || (x > border && y < border); }
+
 /* Where in (0, 1) the way from x to y passes 0 and 1: up to two places, appended to s. */
 static int passes(double x, double y, double s[], int n)
 {
     for (int border = 0; border <= 1; border++) {
-        if ((x < border && y > border) || (x > border && y < border)) s[n++] = (border - x) / (y - x);
+        if (is_passed(x, y, border)) s[n++] = (border - x) / (y - x);
     }
     return n;
 }
@@ -133,45 +135,49 @@ static void add_part(Outline *o, const TrimSegment *s, double t0, double t1, Wid
     }
 }
 
-/* The point of the curve at t, which is on a border or was meant to be. `rounding`, of the domain: 32 units in the
- * last place, for a t that is known to its last bit and the curve's evaluation there. */
-static WidePoint put_on_border(WidePoint p)
+/* Where a curve passes a border: its place is known to the last bit, and the coordinate to all of them. */
+typedef struct { double t; int coordinate, border; } Pass;
+
+static int add_pass(const TrimArc *arc, int coordinate, int border, Pass pass[], int n)
 {
-    const double rounding = 0x1p-48;
-    if (fabs(p.x.hi) < rounding) p.x = wide(0);
-    if (fabs(p.x.hi - 1) < rounding) p.x = wide(1);
-    if (fabs(p.y.hi) < rounding) p.y = wide(0);
-    if (fabs(p.y.hi - 1) < rounding) p.y = wide(1);
-    return p;
+    Pass found = { trim_arc_find(arc, coordinate, border), coordinate, border };
+    int at = n;
+    for (; at > 0 && pass[at - 1].t > found.t; at--) pass[at] = pass[at - 1];
+    pass[at] = found;
+    return n + 1;
 }
 
-static int border_passes(const TrimSegment *s, double t0, double t1, Vec2 a, Vec2 b, double t[])
+/* Up to four, in order. */
+static int border_passes(const TrimSegment *s, double t0, double t1, Vec2 a, Vec2 b, Pass pass[])
 {
-    double unused[4];
     int n = 0;
     const TrimArc arc = { .segment = s, .t0 = t0, .t1 = t1 };
     for (int border = 0; border <= 1; border++) {
-        if ((a.x < border) != (b.x < border) && passes(a.x, b.x, unused, 0)) t[n++] = trim_arc_find(&arc, 0, border);
-        if ((a.y < border) != (b.y < border) && passes(a.y, b.y, unused, 0)) t[n++] = trim_arc_find(&arc, 1, border);
+        if (is_passed(a.x, b.x, border)) n = add_pass(&arc, 0, border, pass, n);
+        if (is_passed(a.y, b.y, border)) n = add_pass(&arc, 1, border, pass, n);
     }
-    sort(t, n);
     return n;
 }
+
+static void put_on_border(WidePoint *p, const Pass *pass) { *(pass->coordinate ? &p->y : &p->x) = wide(pass->border); }
 
 /* The monotone part of a curve between two turns. */
 static void add_monotone(Outline *o, const TrimSegment *s, double t0, double t1, WidePoint a, WidePoint b)
 {
-    double t[4];
+    Pass pass[4];
     Vec2 from = wide_point_round(a), to = wide_point_round(b);
     bool is_near = note_outside(o, from);
     if (!note_outside(o, to) || !is_near) return;
     bool is_inside = distance_outside(from) == 0 && distance_outside(to) == 0;
-    int n = is_inside ? 0 : border_passes(s, t0, t1, from, to, t);
+    int n = is_inside ? 0 : border_passes(s, t0, t1, from, to, pass);
     for (int i = 0; i < n; i++) {
-        if (!(t[i] > t0 && t[i] < t1)) continue;
-        WidePoint middle = put_on_border(trim_segment_at(s, t[i]));
-        add_part(o, s, t0, t[i], a, middle);
-        t0 = t[i], a = middle;
+        double t = pass[i].t;
+        if (!(t > t0 && t < t1)) continue;
+        WidePoint middle = trim_segment_at(s, t);
+        put_on_border(&middle, &pass[i]);
+        if (i + 1 < n && pass[i + 1].t == t) put_on_border(&middle, &pass[++i]);    /* through a corner */
+        add_part(o, s, t0, t, a, middle);
+        t0 = t, a = middle;
     }
     add_part(o, s, t0, t1, a, b);
 }
@@ -207,12 +213,17 @@ static Outline outline_of(Arena *a, const TrimSteps *steps)
 
 /* ---- the whole ---- */
 
-/* Summed relative to the first point, so that the error is relative to the loop and not to its place. */
+/* Relative to the first point, so that the error is relative to the loop and not to its place; and by pieces, so that it is
+ * relative to their lengths: 6 roundings of |a| |b|, those of the differences, the products and their difference. What a
+ * million terms add up to is not rounded again. */
 double trim_signed_area(const Vec2 *p, int n)
 {
-    double twice = 0;
-    for (int i = 0; i < n; i++) twice += vec2_cross(vec2_sub(p[i], p[0]), vec2_sub(p[i + 1], p[0]));
-    return twice / 2;
+    Wide twice = wide(0);
+    for (int i = 0; i < n; i++) {
+        Vec2 a = vec2_sub(p[i], p[0]), b = vec2_sub(p[i + 1], p[i]);
+        twice = wide_add(twice, wide(vec2_cross(a, b)));
+    }
+    return twice.hi / 2;
 }
 
 static TrimPath path_of(const Outline *o)

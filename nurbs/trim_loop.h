@@ -11,10 +11,13 @@
 #include "nurbs/trim_chain.h"
 #include "nurbs/trim_strand.h"
 
-/* A loop thinner than this (twice its area over its length) has no sure direction: its vertices may have been moved by the
- * rounding of the input and of the way to the unit square, some 2^-52, and sums of them are rounded too. Nor has one thinner
+/* A loop thinner than this (twice its area over its length, of the domain) has no sure direction. In units of 2^-53: the way
+ * to the unit square and rounding there move a vertex by 4 in each coordinate, which makes 2 sqrt 2 times as much of twice
+ * the area over the length; the polygon's terms have 6 (trim_signed_area), of the loop's diameter, sqrt 2 at most. The
+ * control points of an arc of order k have 16 k (trim_arc_control, as BULGE_ROUNDINGS has it), its area 8 more (AREA_ERROR):
+ * 2 sqrt 2 times both. That is 20 for polygons, and under 1500 of these 2048 for the highest order, 32. Nor has one thinner
  * than what mending moved. */
-#define TRIM_THIN 0x1p-43
+#define TRIM_THIN 0x1p-42
 
 typedef struct {
     int index;                     /* in TrimInput */

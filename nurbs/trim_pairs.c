@@ -88,8 +88,9 @@ bool trim_chains_meet(const TrimChain *a, const TrimChain *b, TrimPairVisit visi
 /* A part of a piece; its ends are rounded. */
 typedef struct { Vec2 a, b; const TrimArc *arc; double t0, t1; } Part;
 
-/* The rounding of ends, several times. */
-#define PART_MARGIN 0x1p-50
+/* Of the domain: what the ends of two parts may be off by, 64 times 2^-54. A point is rounded by 2^-54, and a straight piece's
+ * middle is that of ends that are off already: halved 48 times it is as small as this. */
+#define PART_MARGIN 0x1p-48
 
 /* Tests of boxes that are worth it for one pair: dozens of halvings near a few places. */
 #define PAIR_BUDGET 500

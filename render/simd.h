@@ -29,4 +29,11 @@ ALWAYS_INLINE V4 v4_load(const Vec4 *p) { return *(const V4Unaligned *)p; }
 ALWAYS_INLINE void v4_store(Vec4 *p, V4 x) { *(V4Unaligned *)p = x; }
 ALWAYS_INLINE V4 v4_splat(double x) { return (V4){ x, x, x, x }; }
 
+/* a b + c, rounded once whatever the compiler does with products and sums elsewhere. */
+ALWAYS_INLINE V4 v4_fma(V4 a, double b, V4 c)
+{
+    return (V4){ __builtin_fma(a[0], b, c[0]), __builtin_fma(a[1], b, c[1]), __builtin_fma(a[2], b, c[2]),
+                 __builtin_fma(a[3], b, c[3]) };
+}
+
 #endif

@@ -155,6 +155,94 @@ static void patches_are_as_near_to_the_surface_as_they_say(void **state)
     }
 }
 
+/* Knots whose spacing differs by up to 1e12, of multiplicity up to k - 1, with ends clamped or not. */
+static int random_knots(TestRandom *r, int k, double *tau)
+{
+    int n = k, runs = test_int(r, 0, 4), at = 0;
+    bool is_clamped = test_int(r, 0, 1);
+    double t = test_int(r, 0, 1) ? test_range(r, -1, 1) : 0;
+    for (int i = 0; i < k; i++) tau[at++] = t += is_clamped || i == 0 ? 0 : pow(10, test_range(r, -12, 0));
+    for (int i = 0; i < runs; i++) {
+        int multiplicity = test_int(r, 1, k - 1);
+        t += pow(10, test_range(r, -12, 0));
+        for (int j = 0; j < multiplicity; j++) tau[at++] = t;
+        n += multiplicity;
+    }
+    t += pow(10, test_range(r, -12, 0));
+    for (int i = 0; i < k; i++) tau[at++] = t += is_clamped || i == 0 ? 0 : pow(10, test_range(r, -12, 0));
+    return n;
+}
+
+enum { MAX_KNOTS = 64 };
+
+/* A surface of numbers that are as good as any, and its net without rounding. */
+typedef struct { SurfaceDesc desc; Net net; double knots[2][MAX_KNOTS]; } AnySurface;
+
+static AnySurface *random_surface(Arena *a, TestRandom *r, double offset, double ratio)
+{
+    AnySurface *s = ARENA_NEW(a, AnySurface);
+    int k_u = test_int(r, 2, 8), k_v = test_int(r, 2, 8);
+    int n_u = random_knots(r, k_u, s->knots[0]), n_v = random_knots(r, k_v, s->knots[1]);
+    Vec4 *p = ARENA_ARRAY(a, Vec4, n_u * n_v);
+    for (int i = 0; i < n_u * n_v; i++)
+        p[i] = vec4(offset + test_range(r, -1, 1), test_range(r, -1, 1), test_range(r, -1, 1), pow(ratio, test_unit(r)));
+    s->desc = (SurfaceDesc){ .order_u = k_u, .order_v = k_v, .n_u = n_u, .n_v = n_v, .knots_u = s->knots[0],
+                             .knots_v = s->knots[1], .points = p };
+    s->net = net_of_desc(a, &s->desc, &(Net){ { k_u, k_v }, { n_u, n_v }, { s->knots[0], s->knots[1] }, NULL });
+    return s;
+}
+
+static int multiplicity(const Net *n, int axis, double t)
+{
+    int count = 0;
+    for (int i = 0; i < n->n[axis] + n->k[axis]; i++) count += n->knots[axis][i] == t;
+    return count;
+}
+
+/* Closes both knots of a span by inserting them ([PT97] A5.1, in 113 bits); the first of its points then. */
+static int insert_ends(Arena *a, Net *n, int axis, double from, double to)
+{
+    int k = n->k[axis], mu = k - 1;
+    while (multiplicity(n, axis, from) < k - 1) net_insert(a, n, axis, from);
+    while (multiplicity(n, axis, to) < k - 1) net_insert(a, n, axis, to);
+    while (n->knots[axis][mu + 1] <= from) mu++;
+    return mu - k + 1;
+}
+
+static double distance_to_point(const TileTree *tree, const Patch *p, int i, Quad4 truth)
+{
+    Quad3 at = quad3_add(quad3_of(tree->base), quad3_add(quad3_of(p->origin), quad3_scale(quad3_of(
+        vec(p->p[i].x, p->p[i].y, p->p[i].z)), 1 / (Quad)p->p[i].w)));
+    return (double)quad3_length(quad3_sub(at, quad3_scale(quad3(truth.x, truth.y, truth.z), 1 / truth.w)));
+}
+
+static void closing_a_span_rounds_each_point_once(void **state)
+{
+    (void)state;
+    static const double offsets[] = { 0, 1e4 }, ratios[] = { 1, 1e6 };
+    for (unsigned seed = 0; seed < 80; seed++) {
+        TestRandom random = test_random(seed);
+        Arena *a = arena_new();
+        AnySurface *any = random_surface(a, &random, offsets[seed % 2], ratios[seed / 2 % 2]);
+        NurbsError e;
+        const Surface *s = surface_new(a, &any->desc, &e, NULL, 0, NULL);
+        CHECK(s, "seed %u: code %d, index %d", seed, e.code, e.index);
+        TileTree tree;
+        tile_tree_make(a, s, 1e300, &tree);    /* a tile is a patch */
+        for (uint32_t tile = 0; tile < tree.n_tiles; tile++) {
+            const Patch *p = tree.tiles[tile].patch;
+            CHECK_WITHIN(p->rounding, 0x1p-53 * (3 * s->size + s->farthest), "seed %u: a bound that tells nothing", seed);
+            Net closed = any->net;
+            int i = insert_ends(a, &closed, NET_U, p->u0, p->u1), j = insert_ends(a, &closed, NET_V, p->v0, p->v1);
+            for (int at = 0; at < p->k_u * p->k_v; at++) {
+                Quad4 truth = closed.p[(j + at / p->k_u) * closed.n[NET_U] + i + at % p->k_u];
+                CHECK_WITHIN(distance_to_point(&tree, p, at, truth), p->rounding, "seed %u, tile %u, point %d", seed, tile, at);
+            }
+        }
+        arena_free(a);
+    }
+}
+
 static void a_ray_of_no_numbers_meets_nothing(void **state)
 {
     (void)state;
@@ -191,6 +279,7 @@ int main(void)
         cmocka_unit_test(a_ray_that_leaves_does_not_meet_what_it_leaves),
         cmocka_unit_test(a_hit_is_as_near_to_the_surface_as_it_says),
         cmocka_unit_test(patches_are_as_near_to_the_surface_as_they_say),
+        cmocka_unit_test(closing_a_span_rounds_each_point_once),
         cmocka_unit_test(a_ray_of_no_numbers_meets_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

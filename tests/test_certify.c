@@ -25,18 +25,18 @@ static int tear_down(void **state)
     return 0;
 }
 
-/* A patch in an arena, of points that may be off by `rounding`, and the tile that is all of it. */
-static Tile *rounded_tile(Fixture *f, int k_u, int k_v, const Vec4 *p, double rounding)
+/* A patch in an arena, of points that may be off by `error`, and the tile that is all of it; p is moved. */
+static Tile *rounded_tile(Fixture *f, int k_u, int k_v, Vec4 *p, double error)
 {
     Patch *patch = ARENA_NEW(f->arena, Patch);
     Tile *tile = ARENA_NEW(f->arena, Tile);
-    patch_make(f->arena, k_u, k_v, p, rounding, (TrimRect){ 0, 1, 0, 1 }, patch);
+    patch_make(f->arena, k_u, k_v, (WideNet){ p, NULL }, error, (TrimRect){ 0, 1, 0, 1 }, patch);
     patch->arena = f->arena;
     tile_make(patch, patch->p, (TilePlace){ 0, 0, 1, 1 }, tile);
     return tile;
 }
 
-static Tile *new_tile(Fixture *f, int k_u, int k_v, const Vec4 *p) { return rounded_tile(f, k_u, k_v, p, 0); }
+static Tile *new_tile(Fixture *f, int k_u, int k_v, Vec4 *p) { return rounded_tile(f, k_u, k_v, p, 0); }
 
 /* A height field over the unit square, orders 2 to 6, weights within a factor `ratio` of each other, anywhere in space. */
 static Tile *random_tile(Fixture *f, TestRandom *r, double bump, double ratio)
@@ -276,7 +276,7 @@ static Patch *sheared(Fixture *f, Vec3 a, Vec3 b, Vec3 c, Vec3 o)
     Vec4 p[4];
     for (int i = 0; i < 4; i++) p[i] = vec4(corner[i].x, corner[i].y, corner[i].z, 1);
     Patch *out = ARENA_NEW(f->arena, Patch);
-    patch_make(f->arena, 2, 2, p, 0, (TrimRect){ 0, 1, 0, 1 }, out);
+    patch_make(f->arena, 2, 2, (WideNet){ p, NULL }, 0, (TrimRect){ 0, 1, 0, 1 }, out);
     return out;
 }
 
@@ -308,7 +308,7 @@ static void the_normal_at_a_pole_is_the_limit(void **state)
     for (int j = 0; j < 3; j++)
         for (int i = 0; i < 3; i++) p[3 * j + i] = vec4(c[j] * c[i], c[j] * e[i], e[j] * w[i], w[i] * w[j]);
     Patch patch;
-    patch_make(f->arena, 3, 3, p, 0, (TrimRect){ 0, 1, 0, 1 }, &patch);
+    patch_make(f->arena, 3, 3, (WideNet){ p, NULL }, 0, (TrimRect){ 0, 1, 0, 1 }, &patch);
     for (int i = 0; i <= 10; i++) {
         Vec3 n = patch_normal(&patch, i / 10.0, 1, vec(1, 0, 0));
         CHECK_WITHIN(vec_length(vec_sub(n, vec(0, 0, 1))), 0x1p-19, "at s %g: (%g, %g, %g)", i / 10.0, n.x, n.y, n.z);

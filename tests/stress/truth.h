@@ -9,14 +9,15 @@
  * A root that stays wherever the surface moves by this band, and does not leave the shape's border or trims by it, is one of
  * the surface that was given: it must be met.
  *
- * What is computed. A method that works in double knows its equations to some R only: (k_u + k_v + 8) u E for the points of
- * its patches, twice that times L for evaluating one and for the plane equations, once more for restricting them to boxes
- * (rounding_of_patches in nurbs/certain.c, patch_rounding in nurbs/certify.h, `lost` in nurbs/view.h), so R = 4 (k_u + k_v +
- * 8) u L. To miss nothing it must take for a hit what R cannot tell from one, and its numbers are off by R themselves: a ray
- * may pass at 2 R and be met. A quarter of R more is what it needs to decide at all (ON_THE_RAY in nurbs/clip.c). With the
- * input's 4 u and what is lost to second order that is 9.4 or so of
- *     BAND_ROUNDINGS (k_u + k_v + 8) u L = 10 (k_u + k_v + 8) u L: for bicubics 80 units in the last place of L.
- * What passes at more must not be met. (Rays are met at 8.7; with 4, one of 12,000 of the families is judged false.)
+ * What is computed. A method that works in double knows its equations to some R only. Its patches' points are rounded once
+ * (patch.c); n more are those of evaluating a patch and of the plane equations (patch_rounding in nurbs/certify.c), at most
+ * 4 (k_u + k_v) - 6 and 27, relative to the patch's radius and its distance from the ray's origin: E and O for a patch about
+ * the origin of the world, and as far as its middle is off, the one is less and the other more. So R = (4 (k_u + k_v) + 21) u
+ * L, and what restricting a patch to boxes adds (`lost` in nurbs/view.h), a tenth of it at most where rays pass. To miss
+ * nothing it must take for a hit what R cannot tell from one, and its numbers are off by R themselves: a ray may pass at 2 R
+ * and be met. A quarter of R more is what it needs to decide at all (ON_THE_RAY in nurbs/clip.c):
+ *     BAND_SHARE R = 2.5 (4 (k_u + k_v) + 21) u L: for bicubics 66 units in the last place of L.
+ * What passes at more must not be met. (Rays are met at 3/4 of it: one of 110,000 of the families.)
  *
  * lo and hi say where along the ray a root may move to by the second band. A hit is held to TRUTH_ERROR L; if the ray
  * grazes, so that they are farther apart, to [lo, hi]. */
@@ -27,7 +28,7 @@
 #include "render/ray.h"
 
 #define INPUT_ROUNDINGS 4
-#define BAND_ROUNDINGS 10
+#define BAND_SHARE 2.5
 #define TRUTH_ERROR 1e-12
 
 typedef struct {

@@ -176,14 +176,18 @@ static double cosine_at(const Search *k, const View *v, double s, double t)
     return vec_dot(patch_normal(k->p, v->s0 + s * v->w_s, v->t0 + t * v->w_t, vec_neg(k->ray->d)), k->ray->d);
 }
 
-/* The tile as the ray sees it. */
+/* The tile as the ray sees it: halving by halving, for a half has a third of the roundings of other parts, and those of the
+ * next are relative to it. */
 static View view_of_tile(const Search *k)
 {
     const Tile *f = k->tile;
     View v = view_of(k->trace->scratch, k->p, k->ray);
     view_extent(&v);
-    view_restrict(&v, true, (Range){ f->s0, f->s0 + f->ds });
-    view_restrict(&v, false, (Range){ f->t0, f->t0 + f->dt });
+    while (v.w_s > f->ds || v.w_t > f->dt) {
+        bool along_s = v.w_s > f->ds && (v.w_s >= v.w_t || !(v.w_t > f->dt));
+        bool is_second = along_s ? f->s0 >= v.s0 + 0.5 * v.w_s : f->t0 >= v.t0 + 0.5 * v.w_t;
+        view_restrict(&v, along_s, is_second ? (Range){ 0.5, 1 } : (Range){ 0, 0.5 });
+    }
     return v;
 }
 

@@ -57,11 +57,25 @@ ALWAYS_INLINE void restrict_lines(Vec4 *p, int k, int stride, int width, Range p
     if (part.lo > 0) keep_after(p, k, stride, width, part.lo / part.hi);
 }
 
+ALWAYS_INLINE void restrict_net(Vec4 *p, int k_u, int k_v, bool along_s, Range part)
+{
+    if (!along_s) restrict_lines(p, k_v, k_u, k_u, part);
+    else for (int j = 0; j < k_v; j++) restrict_lines(p + j * k_u, k_u, 1, 1, part);
+}
+
 EVERY_X86
 static void restrict_points(View *v, bool along_s, Range part)
 {
-    if (!along_s) restrict_lines(v->p, v->k_v, v->k_u, v->k_u, part);
-    else for (int j = 0; j < v->k_v; j++) restrict_lines(v->p + j * v->k_u, v->k_u, 1, 1, part);
+    if (v->k_u == 4 && v->k_v == 4) restrict_net(v->p, 4, 4, along_s, part);    /* unrolled */
+    else restrict_net(v->p, v->k_u, v->k_v, along_s, part);
+}
+
+/* Of a convex combination: 1 - x, a product, the sum; one at the middle, where the products are exact. An end that is a
+ * quotient moves by as much as two more. */
+static int roundings(Range part)
+{
+    int before = part.hi == 0.5 ? 1 : part.hi < 1 ? 3 : 0, after = part.lo / part.hi == 0.5 ? 1 : part.lo > 0 ? 3 : 0;
+    return before + after + (before && after ? 2 : 0);
 }
 
 void view_restrict(View *v, bool along_s, Range part)
@@ -70,9 +84,8 @@ void view_restrict(View *v, bool along_s, Range part)
     restrict_points(v, along_s, part);
     double *start = along_s ? &v->s0 : &v->t0, *width = along_s ? &v->w_s : &v->w_t;
     *start += part.lo * *width, *width *= part.hi - part.lo;
-    /* each end that moves takes k - 1 convex combinations, of 3 roundings each, and so does the weight */
-    double error = 0.5 * DBL_EPSILON * 6 * ((along_s ? v->k_u : v->k_v) - 1) * ((part.lo > 0) + (part.hi < 1));
-    v->lost += error * v->size, v->drift += error;
+    double error = 0.5 * DBL_EPSILON * 2 * roundings(part) * ((along_s ? v->k_u : v->k_v) - 1);    /* of numerator, weight */
+    v->lost += M_SQRT2 * error * v->size, v->drift += error;
 }
 
 /* ---- bounds ---- */

@@ -16,6 +16,7 @@
 
 #include "nurbs/clip.h"
 #include "nurbs/patch_kernel.h"
+#include "nurbs/pole.h"
 
 #include <float.h>
 #include <math.h>
@@ -321,10 +322,12 @@ static bool clip_in_doubt(const Tile *tile, PatchRay *r, RootVisit visit, void *
     return clip_roots(tile, r, visit, context, trace);
 }
 
-/* All roots of a tile in doubt. */
+/* All roots of a tile in doubt. One with a pole on the ray would be halved for nothing. */
 EVERY_X86
 static bool roots_in_doubt(const Tile *tile, PatchRay *r, RootVisit visit, void *context, Trace *trace)
 {
+    PoleSide side;
+    if (tile->patch->collapsed && pole_is_met(tile, r, &side)) return clip_in_doubt(tile, r, visit, context, trace);
     Doubt stack[TILE_MAX_HALVINGS + 1] = { { tile, DOUBTS } };
     for (int top = 1; top > 0; ) {
         Doubt d = stack[--top];

@@ -4,7 +4,7 @@
  * rounding error: some 50 halvings of either side away, and as many more as the ratio of the weights has bits. */
 #include "nurbs/clip.h"
 
-#include "nurbs/view.h"
+#include "nurbs/pole.h"
 
 #include <math.h>
 
@@ -32,7 +32,15 @@ typedef struct {
     bool has_strip;
     bool is_in_surface;      /* the ray runs in the surface about here */
     bool is_needle;          /* its image is one: what the ray meets is little of its depth */
+    bool has_pole;           /* one of its sides is a point on the ray: */
+    PoleSide pole;
 } Part;
+
+static void restrict_part(Part *n, bool along_s, Range part)
+{
+    view_restrict(&n->view, along_s, part);
+    if (n->pole.is_t != along_s && (n->pole.is_end ? part.hi < 1 : part.lo > 0)) n->has_pole = false;
+}
 
 typedef struct {
     const Tile *tile;
@@ -176,26 +184,11 @@ static double cosine_at(const Search *k, const View *v, double s, double t)
     return vec_dot(patch_normal(k->p, v->s0 + s * v->w_s, v->t0 + t * v->w_t, vec_neg(k->ray->d)), k->ray->d);
 }
 
-/* The tile as the ray sees it: halving by halving, for a half has a third of the roundings of other parts, and those of the
- * next are relative to it. */
-static View view_of_tile(const Search *k)
-{
-    const Tile *f = k->tile;
-    View v = view_of(k->trace->scratch, k->p, k->ray);
-    view_extent(&v);
-    while (v.w_s > f->ds || v.w_t > f->dt) {
-        bool along_s = v.w_s > f->ds && (v.w_s >= v.w_t || !(v.w_t > f->dt));
-        bool is_second = along_s ? f->s0 >= v.s0 + 0.5 * v.w_s : f->t0 >= v.t0 + 0.5 * v.w_t;
-        view_restrict(&v, along_s, is_second ? (Range){ 0.5, 1 } : (Range){ 0, 0.5 });
-    }
-    return v;
-}
-
 static double extent_on_ray(Search *k)
 {
     if (k->extent > 0) return k->extent;
     ArenaMark mark = arena_mark(k->trace->scratch);
-    View v = view_of_tile(k);
+    View v = view_of_tile(k->trace->scratch, k->tile, k->ray);
     DepthOnRay depth = view_depth_on_ray(&v, k->rounding);
     arena_reset(k->trace->scratch, mark);
     return k->extent = depth.range.hi - depth.range.lo + 2 * depth.slack + k->rounding;
@@ -242,6 +235,13 @@ static bool report(Search *k, const Part *n, const ViewPoint *at)
     return visit_root(k, &root);
 }
 
+static bool report_pole(Search *k, const Part *n)
+{
+    double end = n->pole.is_end;
+    ViewPoint at = n->pole.is_t ? view_point(&n->view, 0.5, end) : view_point(&n->view, end, 0.5);
+    return report(k, n, &at);
+}
+
 /* ---- the search ---- */
 
 static bool settle(Search *k, Part *n);
@@ -254,8 +254,8 @@ static bool halve(Search *k, Part *n, bool along_s)
     k->was_halved = true;
     Part other = *n;
     other.view = view_copy(k->trace->scratch, &n->view);
-    view_restrict(&n->view, along_s, (Range){ 0, 0.5 });
-    view_restrict(&other.view, along_s, (Range){ 0.5, 1 });
+    restrict_part(n, along_s, (Range){ 0, 0.5 });
+    restrict_part(&other, along_s, (Range){ 0.5, 1 });
     bool other_first = depth_of(k, &other).lo < depth_of(k, n).lo, is_certified = n->is_certified;
     int reported = k->reported;
     if (settle(k, other_first ? &other : n)) return true;
@@ -315,6 +315,7 @@ static bool settle_in_scratch(Search *k, Part *n)
         if (k->middle + depth.lo - slack > k->ray->t_max || k->middle + depth.hi + slack < k->ray->t_min) return false;
         k->patience--;
         ViewPoint at;
+        if (n->has_pole && pole_has_all(&n->view, n->pole, over_w)) return report_pole(k, n);
         if (n->view.size <= near)
             return at = nearest_point(k, n), settle_on_ray(k, n, over_w, &at);
         if (k->patience < 0) return at = nearest_point(k, n), is_on_ray(&at, over_w) && report(k, n, &at);
@@ -327,8 +328,8 @@ static bool settle_in_scratch(Search *k, Part *n)
         bool is_worth_it = c.s.hi - c.s.lo <= MIN_CLIP || c.t.hi - c.t.lo <= MIN_CLIP;
         if (!is_worth_it && across <= near * e.w_max && (at = nearest_point(k, n), is_on_ray(&at, over_w)))
             return settle_on_ray(k, n, over_w, &at);
-        view_restrict(&n->view, true, c.s);
-        view_restrict(&n->view, false, c.t);
+        restrict_part(n, true, c.s);
+        restrict_part(n, false, c.t);
         if (is_worth_it) continue;
         if (!n->is_certified) return halve_image(k, n);
         /* At most one root, and clipping converges quadratically to it: what stops it is the rounding, unless that is much
@@ -353,7 +354,8 @@ bool clip_roots(const Tile *tile, PatchRay *ray, RootVisit visit, void *context,
     Search k = { .tile = tile, .p = p, .ray = ray, .visit = visit, .context = context, .trace = trace,
                  .rounding = patch_rounding(p, o), .middle = -vec_dot(ray->d, o), .patience = PATIENCE };
     ArenaMark mark = arena_mark(trace->scratch);
-    Part all = { .view = view_of_tile(&k) };
+    Part all = { .view = view_of_tile(trace->scratch, tile, ray) };
+    all.has_pole = pole_is_met(tile, ray, &all.pole);
     bool ended = settle_in_scratch(&k, &all);
     arena_reset(trace->scratch, mark);
     return ended;

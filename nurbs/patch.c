@@ -67,6 +67,22 @@ static void measure(Patch *p)
     p->rounding += (p->is_polynomial ? 1 : 2) * u * p->radius;
 }
 
+/* Are the points of a side, n of them `step` apart, one point within the rounding of each? */
+static bool is_collapsed(const Patch *p, const Vec4 *side, int n, int step)
+{
+    Vec3 first = vec4_project(side[0]);
+    for (int i = 1; i < n; i++)
+        if (vec_length(vec_sub(vec4_project(side[i * step]), first)) > 2 * p->rounding) return false;
+    return true;
+}
+
+static unsigned collapsed_sides(const Patch *p)
+{
+    int k_u = p->k_u, k_v = p->k_v;
+    return (unsigned)is_collapsed(p, p->p, k_v, k_u) | (unsigned)is_collapsed(p, p->p + k_u - 1, k_v, k_u) << 1
+        | (unsigned)is_collapsed(p, p->p, k_u, 1) << 2 | (unsigned)is_collapsed(p, p->p + (k_v - 1) * k_u, k_u, 1) << 3;
+}
+
 void patch_make(Arena *a, int k_u, int k_v, WideNet net, double error, TrimRect interval, Patch *out)
 {
     *out = (Patch){ .k_u = k_u, .k_v = k_v, .u0 = interval.u0, .u1 = interval.u1, .v0 = interval.v0, .v1 = interval.v1,
@@ -79,6 +95,7 @@ void patch_make(Arena *a, int k_u, int k_v, WideNet net, double error, TrimRect 
     patch_move_origin(out, net);
     out->p = arena_copy(a, net.hi, (size_t)(k_u * k_v), sizeof *net.hi);
     measure(out);
+    out->collapsed = collapsed_sides(out);
 }
 
 static Vec3 xyz(Vec4 p) { return vec(p.x, p.y, p.z); }

@@ -22,6 +22,7 @@ typedef struct {
     double radius;                /* |S(s, t) - origin| <= radius */
     double roundings;             /* of 2^-53 in a coordinate of patch_evaluate, relative to the sum of its terms' sizes */
     double w_max;                 /* the largest weight */
+    unsigned collapsed;           /* bits for the sides s = 0, s = 1, t = 0, t = 1 that are one point, within the rounding */
     Arena *arena;                 /* for parts of it that rays ask for later (tile.c); NULL: none are made */
 } Patch;
 

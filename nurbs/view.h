@@ -6,8 +6,8 @@
  *
  * Rounding. The first coefficients are as exact as `rounding` says (certify.h), times the weights. Restricting is a convex
  * combination, and errs by so many units of sum B |x| <= max |x/w| sum B w: over the weight, relative to the size of the box
- * in space. `lost` adds that up for the plane equations, and stays below `rounding` since boxes shrink; `drift` for the
- * depth, which does not. */
+ * in space. `lost` adds that up for the plane equations, and is soon added up since boxes shrink; `drift` for the depth, which
+ * does not. */
 #ifndef TRIMRAY_VIEW_H
 #define TRIMRAY_VIEW_H
 
@@ -15,6 +15,7 @@
 
 typedef struct {
     int k_u, k_v;
+    bool is_polynomial;      /* every weight is 1, and stays it */
     Vec4 *p;                 /* k_u * k_v coefficients, s fastest */
     double s0, t0;           /* where the box begins in the patch */
     double w_s, w_t;         /* how wide it is there: apart from s0 and t0, whose last bits may be wider */
@@ -24,8 +25,9 @@ typedef struct {
 
 typedef struct { double lo, hi; } Range;
 
-/* The whole patch; the memory comes from `scratch`. */
+/* The whole patch, and a tile of it; the memory comes from `scratch`. */
 View view_of(Arena *scratch, const Patch *p, const PatchRay *r);
+View view_of_tile(Arena *scratch, const Tile *tile, const PatchRay *r);
 View view_copy(Arena *scratch, const View *v);
 
 /* To the part [lo, hi] of the box, along s or along t; v->size must be set. Ends that stay keep their bits. */

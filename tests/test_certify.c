@@ -25,16 +25,18 @@ static int tear_down(void **state)
     return 0;
 }
 
-/* A patch in an arena, and the tile that is all of it; p is moved. */
-static Tile *new_tile(Fixture *f, int k_u, int k_v, Vec4 *p, TrimRect rect)
+/* A patch in an arena, of points that may be off by `error`, and the tile that is all of it; p is moved. */
+static Tile *rounded_tile(Fixture *f, int k_u, int k_v, Vec4 *p, double error)
 {
     Patch *patch = ARENA_NEW(f->arena, Patch);
     Tile *tile = ARENA_NEW(f->arena, Tile);
-    patch_make(f->arena, k_u, k_v, (WideNet){ p, NULL }, 0, rect, patch);
+    patch_make(f->arena, k_u, k_v, (WideNet){ p, NULL }, error, (TrimRect){ 0, 1, 0, 1 }, patch);
     patch->arena = f->arena;
     tile_make(patch, patch->p, (TilePlace){ 0, 0, 1, 1 }, tile);
     return tile;
 }
+
+static Tile *new_tile(Fixture *f, int k_u, int k_v, Vec4 *p) { return rounded_tile(f, k_u, k_v, p, 0); }
 
 /* A height field over the unit square, orders 2 to 6, weights within a factor `ratio` of each other, anywhere in space. */
 static Tile *random_tile(Fixture *f, TestRandom *r, double bump, double ratio)
@@ -48,7 +50,7 @@ static Tile *random_tile(Fixture *f, TestRandom *r, double bump, double ratio)
             p[j * k_u + i] = vec4_weighted(vec4(shift.x + i / (k_u - 1.0), shift.y + j / (k_v - 1.0),
                                                 shift.z + test_range(r, -bump, bump), w));
         }
-    return new_tile(f, k_u, k_v, p, (TrimRect){ 0, 1, 0, 1 });
+    return new_tile(f, k_u, k_v, p);
 }
 
 static Vec3 point_of(const Tile *f, double s, double t)   /* about the tile's middle */
@@ -176,6 +178,36 @@ static void a_ray_through_a_point_of_the_patch_finds_it(void **state)
     }
 }
 
+/* A patch one of whose sides is a point, and a ray from it to another point of the patch: it meets both. (Were the patch
+ * ruled from there, the ray would run in it.) */
+static void a_pole_on_the_ray_hides_no_other_root(void **state)
+{
+    Fixture *f = *state;
+    for (unsigned seed = 0; seed < 3000; seed++) {
+        TestRandom r = test_random(seed);
+        int side = test_int(&r, 0, 3), k_u = test_int(&r, side < 2 ? 3 : 2, 5), k_v = test_int(&r, side < 2 ? 2 : 3, 5);
+        Vec4 p[25];
+        Vec3 pole = vec_scale(random_direction(&r), 3);
+        for (int j = 0; j < k_v; j++)
+            for (int i = 0; i < k_u; i++) {
+                bool is_pole = side == 0 ? i == 0 : side == 1 ? i == k_u - 1 : side == 2 ? j == 0 : j == k_v - 1;
+                Vec3 at = vec(i / (k_u - 1.0), j / (k_v - 1.0), test_range(&r, -0.3, 0.3));
+                if (is_pole) at = pole;
+                p[j * k_u + i] = vec4_weighted(vec4(at.x, at.y, at.z, pow(seed % 2 ? 1 : 10, test_unit(&r))));
+            }
+        Tile *tile = rounded_tile(f, k_u, k_v, p, 0x1p-48);
+        CHECK(tile->patch->collapsed == 1u << side, "seed %u: %u", seed, tile->patch->collapsed);
+        Vec3 other = vec_add(middle_of(tile), point_of(tile, test_range(&r, .1, .9), test_range(&r, .1, .9)));
+        Vec3 d = vec_normalize(vec_sub(other, pole));
+        PatchRay ray = patch_ray(vec_sub(pole, vec_scale(d, 2)), d, 0, INFINITY);
+        Found found = { 0 };
+        tile_roots(tile, &ray, collect, &found, &f->trace);
+        double depth = 2 + vec_length(vec_sub(other, pole));
+        CHECK(has_depth(&found, 2, 1e-13), "seed %u: the pole, of %d roots", seed, found.n);
+        CHECK(has_depth(&found, depth, 1e-13), "seed %u: %g, of %d roots", seed, depth, found.n);
+    }
+}
+
 /* The frame's shortcut and plain clipping find the same roots. */
 static void the_frame_loses_and_invents_nothing(void **state)
 {
@@ -209,7 +241,7 @@ static void a_tangent_ray_hits_and_one_beside_it_does_not(void **state)
         double y = 2 * j - 1;
         p[3 * j] = vec4(-1, y, 1, 1), p[3 * j + 1] = vec4(0, y, -1, 1), p[3 * j + 2] = vec4(1, y, 1, 1);
     }
-    Tile *tile = new_tile(f, 3, 2, p, (TrimRect){ -1, 1, -1, 1 });
+    Tile *tile = new_tile(f, 3, 2, p);
     const double heights[] = { 0.25, 1e-4, 1e-8, 1e-12, 0, -1e-13, -1e-8, -0.1 };
     for (int i = 0; i < 8; i++) {
         PatchRay ray = patch_ray(vec(-3, 0.3, heights[i]), vec(1, 0, 0), 0, INFINITY);
@@ -228,7 +260,7 @@ static void a_ray_in_the_surface_hits_where_it_enters(void **state)
 {
     Fixture *f = *state;
     Vec4 p[4] = { { 0, 0, 0, 1 }, { 1, 0, 0, 1 }, { 0, 1, 0, 1 }, { 1, 1, 0, 1 } };
-    Tile *tile = new_tile(f, 2, 2, p, (TrimRect){ 0, 1, 0, 1 });
+    Tile *tile = new_tile(f, 2, 2, p);
     PatchRay ray = patch_ray(vec(-2, 0.5, 0), vec(1, 0, 0), 0, INFINITY);
     double nearest = INFINITY;
     tile_roots(tile, &ray, keep_nearest, &nearest, &f->trace);
@@ -357,6 +389,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(the_radius_and_the_deviation_bound_the_tile, set_up, tear_down),
         cmocka_unit_test_setup_teardown(the_variation_bounds_the_derivatives, set_up, tear_down),
         cmocka_unit_test_setup_teardown(a_ray_through_a_point_of_the_patch_finds_it, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(a_pole_on_the_ray_hides_no_other_root, set_up, tear_down),
         cmocka_unit_test_setup_teardown(the_frame_loses_and_invents_nothing, set_up, tear_down),
         cmocka_unit_test_setup_teardown(a_tangent_ray_hits_and_one_beside_it_does_not, set_up, tear_down),
         cmocka_unit_test_setup_teardown(a_ray_in_the_surface_hits_where_it_enters, set_up, tear_down),

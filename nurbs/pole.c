@@ -1,0 +1,74 @@
+/* See pole.h.
+ *
+ * Let t run from the side, and F be the two plane equations times the weight, of degree n in t. Where F(s, 0) = 0, F = t G:
+ * by B_j,n(t) = t n/j B_j-1,n-1(t), G is of degree n - 1 in t and has the coefficients F_ij n/j, j from 1 to n. If e.G is at
+ * least m for a direction e, by the convex hull of these, |F| >= t m. What F(s, 0) really is may be twice the error times
+ * the weight, and F is off by as much once: so there is no root where t m is more than three times that. */
+#include "nurbs/pole.h"
+
+#include <float.h>
+#include <math.h>
+
+static const PoleSide SIDES[4] = { { false, false }, { false, true }, { true, false }, { true, true } };
+
+static bool is_on_side(const Tile *f, PoleSide side)
+{
+    double from = side.is_t ? f->t0 : f->s0, width = side.is_t ? f->dt : f->ds;
+    return side.is_end ? from + width >= 1 : from <= 0;
+}
+
+/* A corner of the patch that is on the side. */
+static Vec4 corner(const Patch *p, PoleSide side)
+{
+    if (!side.is_end) return p->p[0];
+    return side.is_t ? p->p[(p->k_v - 1) * p->k_u] : p->p[p->k_u - 1];
+}
+
+bool pole_is_met(const Tile *f, const PatchRay *r, PoleSide *side)
+{
+    const Patch *p = f->patch;
+    Vec3 o = vec_sub(r->origin, p->origin);
+    for (int i = 0; i < 4 && p->collapsed; i++) {
+        if (!(p->collapsed & 1u << i) || !is_on_side(f, SIDES[i])) continue;
+        Vec3 pole = vec_sub(vec4_project(corner(p, SIDES[i])), o);
+        *side = SIDES[i];
+        if (hypot(vec_dot(r->n1, pole), vec_dot(r->n2, pole)) <= patch_rounding(p, o)) return true;
+    }
+    return false;
+}
+
+/* Coefficient i along the side, in line j from it. */
+static const Vec4 *coefficient(const View *v, PoleSide side, int i, int j)
+{
+    int last = side.is_t ? v->k_v - 1 : v->k_u - 1, line = side.is_end ? last - j : j;
+    return side.is_t ? v->p + line * v->k_u + i : v->p + i * v->k_u + line;
+}
+
+/* Part of the tile beyond which no pole is looked for, and the least one: its ends are still apart from 0 and 1. */
+#define POLE_MOST 0x1p-10
+#define POLE_LEAST 0x1p-44
+
+bool pole_has_all(View *v, PoleSide side, double error)
+{
+    int n_along = side.is_t ? v->k_u : v->k_v, n = (side.is_t ? v->k_v : v->k_u) - 1;
+    double least = INFINITY, w_max = 0;
+    Vec2 sum = { 0, 0 };
+    for (int i = 0; i < n_along; i++)
+        for (int j = 1; j <= n; j++) {
+            const Vec4 *f = coefficient(v, side, i, j);
+            sum = vec2(sum.x + f->x * n / j, sum.y + f->y * n / j);
+        }
+    Vec2 e = vec2_scale(sum, 1 / vec2_length(sum));
+    for (int i = 0; i < n_along; i++)
+        for (int j = 0; j <= n; j++) {
+            const Vec4 *f = coefficient(v, side, i, j);
+            w_max = double_max(w_max, f->w);
+            if (j > 0) least = double_min(least, (e.x * f->x + e.y * f->y) * n / j);
+            else if (hypot(f->x, f->y) > 2 * error * f->w) return false;
+        }
+    double part = 3 * error * w_max / least;
+    if (!(least > 0 && part < POLE_MOST)) return false;
+    part = double_max(part, POLE_LEAST);
+    view_restrict(v, !side.is_t, side.is_end ? (Range){ 1 - part, 1 } : (Range){ 0, part });
+    return true;
+}

@@ -2,6 +2,7 @@
 #include "nurbs/view.h"
 
 #include "nurbs/patch_kernel.h"
+#include "nurbs/restrict.h"
 
 #include <float.h>
 #include <math.h>
@@ -30,55 +31,15 @@ View view_copy(Arena *scratch, const View *v)
 
 /* ---- restricting ---- */
 
-/* y a + x b, where x + y = 1: from the nearer one, so that equal numbers stay equal. */
-ALWAYS_INLINE V4 between(V4 a, V4 b, double x, double y)
-{
-    return x == y ? (a + b) * 0.5 : x < y ? a + (b - a) * x : b + (a - b) * y;
-}
-
-/* Lines of k coefficients, `stride` apart, side by side: the part before x. */
-ALWAYS_INLINE void keep_before(Vec4 *p, int k, int stride, int width, double x, double y)
-{
-    for (int n = 1; n < k; n++)
-        for (int i = k - 1; i >= n; i--)
-            for (int c = 0; c < width; c++) {
-                Vec4 *q = p + i * stride + c;
-                v4_store(q, between(v4_load(q - stride), v4_load(q), x, y));
-            }
-}
-
-/* The part after x. */
-ALWAYS_INLINE void keep_after(Vec4 *p, int k, int stride, int width, double x, double y)
-{
-    for (int n = 1; n < k; n++)
-        for (int i = 0; i < k - n; i++)
-            for (int c = 0; c < width; c++) {
-                Vec4 *q = p + i * stride + c;
-                v4_store(q, between(v4_load(q), v4_load(q + stride), x, y));
-            }
-}
-
-ALWAYS_INLINE void restrict_lines(Vec4 *p, int k, int stride, int width, Range part)
-{
-    if (part.hi < 1) keep_before(p, k, stride, width, part.hi, 1 - part.hi);
-    if (part.lo > 0) keep_after(p, k, stride, width, part.lo / part.hi, (part.hi - part.lo) / part.hi);
-}
-
-ALWAYS_INLINE void restrict_net(Vec4 *p, int k_u, int k_v, bool along_s, Range part)
-{
-    if (!along_s) restrict_lines(p, k_v, k_u, k_u, part);
-    else for (int j = 0; j < k_v; j++) restrict_lines(p + j * k_u, k_u, 1, 1, part);
-}
-
 EVERY_X86
 static void restrict_points(View *v, bool along_s, Range part)
 {
-    if (v->k_u == 4 && v->k_v == 4) restrict_net(v->p, 4, 4, along_s, part);    /* unrolled */
-    else restrict_net(v->p, v->k_u, v->k_v, along_s, part);
+    if (v->k_u == 4 && v->k_v == 4) restrict_net(v->p, 4, 4, along_s, part.lo, part.hi);    /* unrolled */
+    else restrict_net(v->p, v->k_u, v->k_v, along_s, part.lo, part.hi);
 }
 
-/* Of a combination y a + x b, relative to y |a| + x |b|: a difference, a product and a sum; at the middle the sum alone. 1 - x
- * is exact where it counts; where x and y are quotients of two roundings each, the end moves by as much. */
+/* Of a combination (restrict.h); where both ends move, the second one's shares have two of their own each, and the end moves
+ * by as much. */
 static int roundings(Range part)
 {
     int before = part.hi < 1 ? part.hi == 0.5 ? 1 : 3 : 0, after = part.lo > 0 ? part.hi == 1 && part.lo == 0.5 ? 1 : 3 : 0;

@@ -103,11 +103,18 @@ static bool take_nearest(Search *k, const Root *root, const CertainHit *hit)
     return false;
 }
 
+/* The tile's patch and its points, which lie behind it, come from memory together: as many as a bicubic one has. */
+static void prefetch_patch(const Tile *tile)
+{
+    for (int at = 0; at < 10; at++) __builtin_prefetch((const char *)tile->patch + 64 * at);
+}
+
 static bool visit_tile(void *context, uint32_t i, const Ray *r, double *t_max, Trace *t)
 {
     Search *k = context;
     (void)r;
     k->t_max = t_max, k->tile = i, k->trace = t;
+    prefetch_patch(&k->tree->tiles[i]);
     t->counters.leaf_tests++;
     double begin = t->measures_time ? stats_now() : 0;
     bool ended = tile_roots(&k->tree->tiles[i], &k->ray, accept_root, k, t);

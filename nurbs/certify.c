@@ -57,7 +57,7 @@ PatchRay patch_ray(Vec3 origin, Vec3 dir, double t_min, double t_max)
 double patch_rounding(const Patch *p, Vec3 offset)
 {
     double n = p->roundings + (ROUNDINGS_OF_FRAME + 2 * ROUNDINGS_OF_DOTS + ROUNDINGS_OF_ORIGIN);
-    return p->rounding + 0.5 * DBL_EPSILON * n * (p->radius + vec_length(offset));
+    return p->rounding + 0.5 * DBL_EPSILON * n * (p->radius + fabs(offset.x) + fabs(offset.y) + fabs(offset.z));
 }
 
 /* The plane equations of one ray and tile, and where the iteration stands. */
@@ -75,6 +75,7 @@ typedef struct {
     double c11, c12, c21, c22, c_det;   /* the frame's */
     double gain;                   /* the Frobenius norm of J_m^-1 over 2 w_middle, lengths being those of half the tile */
     double contraction;            /* q of the frame's certificate: gain times variation */
+    double least_step2;            /* what proves a miss */
 } Solve;
 
 ALWAYS_INLINE void set_to_ray(Solve *k)
@@ -158,67 +159,69 @@ ALWAYS_INLINE NewtonResult place_of_root(const Solve *k)
  * determinants and their quotient. */
 #define ROUNDINGS_OF_STEP 6
 
-/* What rounding takes from these proofs: F at the iterate is `rounding` off, which moves the root that it tells of by
- * J_m^-1 (I + E)^-1 times that; J is off by twice (k-1) as much, coefficients of a derivative being differences, and the step
- * by its own rounding, both of which count as part of E. */
-typedef struct { double place, q; } Blur;
+/* What rounding takes from these proofs, and where it does not count. With off = growth w_max rounding / w_middle, q the
+ * contraction and lengths those of half the tile:
+ *   F at the iterate is `rounding` off, which moves the root that it tells of by J_m^-1 (I + E)^-1 times that: by less than
+ *   gain off / (2 (1-q));
+ *   J is off by twice (k-1) as much, coefficients of a derivative being differences, and the step by its own rounding, which
+ *   both count as part of E, by less than gain (off slopes + 2 ROUNDINGS_OF_STEP u), slopes = (k_u-1) ds / length_s + ...
+ * The first must be less than BLUR times what each proof adds it to, of which q (1-q)^2 times the step's length is less than
+ * any; the second less than BLUR q, q being gain times `variation`, which is at least TILE_LEAST_VARIATION: 12 u are less
+ * than half of that. Then BLURRED makes up for them. */
+#define BLUR 0x1p-10
+#define BLURRED (ROUNDED_UP * (1 + 2 * BLUR))
 
-ALWAYS_INLINE Blur blur_of(const Solve *k)
+/* The square of the shortest step from which something is proved; INFINITY: none. */
+ALWAYS_INLINE double least_step2(const Solve *k)
 {
     const Tile *f = k->tile;
-    double u = f->length_s, v = f->length_t, off = growth_beyond_patch(k) * k->rounding * k->gain / f->w_middle;
-    double slopes = ((k->p->k_u - 1) * f->ds * v + (k->p->k_v - 1) * f->dt * u) / (u * v);
-    double own = 2 * ROUNDINGS_OF_STEP * 0.5 * DBL_EPSILON;
-    return (Blur){ 0.5 * off * k->last.value[3] / (1 - k->contraction), off * k->p->w_max * slopes + k->gain * own };
+    const Patch *p = k->p;
+    double u = f->length_s, v = f->length_t, q = k->contraction, off = p->growth * p->w_max * k->rounding;
+    double slopes = (p->k_u - 1) * f->ds * v + (p->k_v - 1) * f->dt * u;
+    if (!(off * slopes < 0.5 * BLUR * f->variation * f->w_middle * u * v)) return INFINITY;
+    double least = off * k->gain / (BLUR * q * (1 - q) * (1 - q) * f->w_middle);
+    return least * least;
 }
 
-/* Lengths are those of half the tile. */
-ALWAYS_INLINE double length_of(const Solve *k, double ds, double dt)
+/* The square of the length of a step: lengths are those of half the tile. */
+ALWAYS_INLINE double length2_of(const Solve *k, double ds, double dt)
 {
-    return length2(k->tile->length_s * ds, k->tile->length_t * dt);
+    double x = k->tile->length_s * ds, y = k->tile->length_t * dt;
+    return x * x + y * y;
 }
 
 /* Is it certain, from the Newton step (ds, dt) at (s, t), that the patch has no root? Let J = J_m (I + E_2) here and J_m (I
  * + E_1) on average on the way to a root x*: both |E| <= q in the frame's norm. Then x* - x = (I + E_1)^-1 (I + E_2) step,
  * so x* is within 2q/(1-q) |step| of x + step; if that is nearer than the patch, there is no such root. */
-ALWAYS_INLINE bool proves_miss(const Solve *k, double ds, double dt, Blur blur)
+ALWAYS_INLINE bool proves_miss(const Solve *k, double ds, double dt)
 {
-    double s = k->s + ds, t = k->t + dt, out_s = double_max(-s, s - 1), out_t = double_max(-t, t - 1);
-    double reach = (2 * k->contraction + blur.q) / (1 - k->contraction);
-    return length_of(k, double_max(out_s, 0), double_max(out_t, 0))
-         > ROUNDED_UP * (reach * length_of(k, ds, dt) + blur.place);
+    double s = k->s + ds, t = k->t + dt, step2 = length2_of(k, ds, dt), reach = 2 * k->contraction / (1 - k->contraction);
+    double out2 = length2_of(k, double_max(double_max(-s, s - 1), 0), double_max(double_max(-t, t - 1), 0));
+    return step2 > k->least_step2 && out2 > BLURRED * BLURRED * reach * reach * step2;
 }
 
 /* The same from F at (s, t), where steps are clamped to the square with its margin. G(x) = x - J_m^-1 F(x) contracts with q,
  * and so does PG, P the clamping, which lengthens nothing: a root x* in the square has |x* - x| <= |PG(x) - x| / (1 - q),
  * and |G(x) - x| <= (1 + q) |x* - x|. */
-ALWAYS_INLINE bool proves_miss_by_clamping(const Solve *k, double f1, double f2, Blur blur)
+ALWAYS_INLINE bool proves_miss_by_clamping(const Solve *k, double f1, double f2)
 {
     double scale = 1 / (2 * k->c_det * k->tile->w_middle);
     double g_s = (k->c12 * f2 - k->c22 * f1) * scale, g_t = (k->c21 * f1 - k->c11 * f2) * scale;   /* of the tile */
     double p_s = clamped(k->s + g_s, -TILE_MARGIN, 1 + TILE_MARGIN) - k->s;
     double p_t = clamped(k->t + g_t, -TILE_MARGIN, 1 + TILE_MARGIN) - k->t;
-    double least = (1 + k->contraction) / (1 - k->contraction);
-    return length_of(k, g_s, g_t) > ROUNDED_UP * (least * length_of(k, p_s, p_t) + (1 + least) * blur.place);
-}
-
-ALWAYS_INLINE bool proves_to_miss(const Solve *k, double ds, double dt, double f1, double f2)
-{
-    Blur blur = blur_of(k);
-    return proves_miss(k, ds, dt, blur) || proves_miss_by_clamping(k, f1, f2, blur);
+    double least = (1 + k->contraction) / (1 - k->contraction), g2 = length2_of(k, g_s, g_t);
+    return g2 > k->least_step2 && g2 > BLURRED * BLURRED * least * least * length2_of(k, p_s, p_t);
 }
 
 /* Is the root x*, if there is one, certainly out of the ray's reach? With the bounds of proves_miss, |x* - x| is within
  * (1+q)/(1-q) |step|. The numerator about the root's point X vanishes there, so that at x it is at most (J_m + E)(x - x*):
- * |S(x) - X| <= 2 w_middle/w (sqrt 2 + variation) |x* - x|, lengths being those of half the tile. */
+ * |S(x) - X| <= 2 w_middle/w (sqrt 2 + variation) |x* - x|. */
 ALWAYS_INLINE bool is_out_of_reach(const Solve *k, double depth, double ds, double dt)
 {
-    double gap = double_max(k->r->t_min - depth, depth - k->r->t_max) - k->rounding;
-    if (!(gap > 0)) return false;
-    Blur blur = blur_of(k);
-    double far = (1 + k->contraction + blur.q) / (1 - k->contraction) * length_of(k, ds, dt) + blur.place;
-    double factor = ROUNDED_UP * 2 * k->tile->w_middle * (M_SQRT2 + k->tile->variation);
-    return gap * k->last.value[3] > factor * far;
+    double gap = double_max(k->r->t_min - depth, depth - k->r->t_max) - k->rounding, step2 = length2_of(k, ds, dt);
+    double far = BLURRED * (1 + k->contraction) * 2 * k->tile->w_middle * (M_SQRT2 + k->tile->variation);
+    double near = (1 - k->contraction) * k->last.value[3] * gap;
+    return gap > 0 && step2 > k->least_step2 && near * near > far * far * step2;
 }
 
 /* From (s, t) to the root of F in the patch with its margin, if there is one. */
@@ -232,7 +235,7 @@ ALWAYS_INLINE NewtonResult newton(Solve *k, Trace *trace)
         double ds = (k->j12 * f2 - k->j22 * f1) * scale, dt = (k->j21 * f1 - k->j11 * f2) * scale;
         double s = clamped(k->s + ds, lo, hi), t = clamped(k->t + dt, lo, hi);
         bool leaves = s != k->s + ds || t != k->t + dt;
-        if (leaves && proves_to_miss(k, ds, dt, f1, f2)) return NEWTON_OUTSIDE;
+        if (leaves && (proves_miss(k, ds, dt) || proves_miss_by_clamping(k, f1, f2))) return NEWTON_OUTSIDE;
         if (step > 0 && is_out_of_reach(k, k->last.value[2] / k->last.value[3], ds, dt)) return NEWTON_OUTSIDE;
         k->ds = leaves ? s - k->s : ds, k->dt = leaves ? t - k->t : dt;    /* with bits that s and t have no room for */
         k->s = s, k->t = t;
@@ -294,6 +297,7 @@ ALWAYS_INLINE bool solve_one(Solve *k, RootVisit visit, void *context, Trace *tr
     trace->counters.certificates++, trace->counters.nurbs_tests++;
     const Tile *f = k->tile;
     set_to_ray(k);
+    k->least_step2 = least_step2(k);
     if (k->r->guess == f) k->s = (k->r->guess_s - f->s0) / f->ds, k->t = (k->r->guess_t - f->t0) / f->dt;
     switch (newton(k, trace)) {
     case NEWTON_INSIDE: return report(k, visit, context);

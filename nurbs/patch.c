@@ -95,6 +95,7 @@ void patch_make(Arena *a, int k_u, int k_v, WideNet net, double error, TrimRect 
     patch_move_origin(out, net);
     out->p = arena_copy(a, net.hi, (size_t)(k_u * k_v), sizeof *net.hi);
     measure(out);
+    out->growth = pow(1 + 2 * PATCH_MARGIN, k_u + k_v - 2);
     out->collapsed = collapsed_sides(out);
 }
 

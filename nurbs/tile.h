@@ -14,7 +14,7 @@
 /* How far beyond [0, 1] the frame's bounds still hold: a root that Newton finds just outside the tile proves that there is
  * none inside, if the map is one-to-one on the larger square. A sixteenth is room for an
  * iterate that overshoots, and what varies with the distance varies by an eighth more over the larger square. */
-#define TILE_MARGIN 0.0625
+#define TILE_MARGIN PATCH_MARGIN
 
 /* What is rounded when a ray looks at the half-vectors, of 2^-53 of their lengths: 15 since its planes are not quite
  * perpendicular, 5 of two dot products (certify.c has both), 2 of a determinant with them. */

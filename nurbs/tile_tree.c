@@ -169,7 +169,8 @@ static double coarseness(const Surface *s)
 }
 
 /* Boxes are in single precision: those of a surface that lies farther from the origin than this, in its own diagonals, are
- * about its middle. All others share their space with the trees around them, whose work on a ray is then not done again. */
+ * about its middle. All others share their space with the trees around them, whose work on a ray is then not done again; they
+ * swell by 2^-21 of that distance at most (bvh_wide.c), 2^-11 diagonals, which is little beside a tile. */
 #define FAR_OFF 1024
 
 void tile_tree_make(Arena *a, const Surface *surface, double variation, TileTree *out)
@@ -187,12 +188,12 @@ void tile_tree_make(Arena *a, const Surface *surface, double variation, TileTree
     k.spans_v = list_spans(k.lists, s->k_v, s->n_v, s->tau_v, &all.v1);
     uint32_t root = new_pair(&k);
     bool has_any = grow_spans(&k, root, all);
-    *out = (TileTree){ .base = base, .bvh_base = is_far ? base : nowhere,
-                        .tiles = arena_copy(a, k.tiles, k.n_tiles, sizeof *k.tiles),
+    const Tile *tiles = arena_copy(a, k.tiles, k.n_tiles, sizeof *k.tiles);
+    Bvh *bvh = bvh_from_tree(a, k.nodes, has_any ? (uint32_t)k.n_nodes : 0);
+    bvh_set_items(bvh, tiles, sizeof *tiles);
+    *out = (TileTree){ .base = base, .bvh_base = is_far ? base : nowhere, .tiles = tiles, .bvh = bvh,
                         .cells = s->trims ? arena_copy(a, k.cells, k.n_cells, sizeof *k.cells) : NULL,
-                        .n_tiles = (uint32_t)k.n_tiles,
-                        .bvh = bvh_from_tree(a, k.nodes, has_any ? (uint32_t)k.n_nodes : 0),
-                        .n_cut = k.n_cut, .n_untested = k.n_untested };
+                        .n_tiles = (uint32_t)k.n_tiles, .n_cut = k.n_cut, .n_untested = k.n_untested };
     out->bytes = arena_used(a) - used;
     arena_free(k.lists);
 }

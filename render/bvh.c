@@ -15,7 +15,7 @@
 typedef struct { Box box; uint32_t index; } Item;
 
 struct Bvh {
-    const WideBvh *wide;        /* BVH_SAH: this is what is traversed; nodes and items are NULL */
+    WideBvh *wide;              /* BVH_SAH: this is what is traversed; nodes and items are NULL */
     const BvhNode *nodes;
     uint32_t n_nodes;
     const uint32_t *items;      /* indices of boxes, leaf by leaf: one each */
@@ -264,6 +264,13 @@ Bvh *bvh_from_tree(Arena *a, const BvhNode *nodes, uint32_t n_nodes)
         if (nodes[i].n_items > 0 && nodes[i].first >= n_items) n_items = nodes[i].first + 1;
     return new_wide(a, bvh_wide_build(a, nodes, n_nodes, NULL), nodes[0].box, n_items);
 }
+
+void bvh_set_items(Bvh *b, const void *first, size_t size)
+{
+    if (b->wide) bvh_wide_set_items(b->wide, first, size);
+}
+
+const void *bvh_item(const Bvh *b, uint32_t i) { return b->wide ? bvh_wide_item(b->wide, i) : NULL; }
 
 Box bvh_bounds(const Bvh *b) { return b->bounds; }
 uint32_t bvh_node_count(const Bvh *b) { return b->n_nodes; }

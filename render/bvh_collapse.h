@@ -20,6 +20,8 @@ struct WideBvh {
     double largest, diagonal;      /* the largest coordinate of the bounds, and their diagonal */
     bool is_single;                /* it has one item alone: */
     uint32_t single;
+    const char *items;             /* where the visitor has them, and how large they are; NULL: not known */
+    size_t item_size;
 };
 
 #endif

@@ -19,6 +19,10 @@
 #define STACK_SIZE (2 * 64 * (WIDTH - 1) + WIDTH)     /* no deeper than the binary tree, and one within: 64 each */
 #define TINY 0x1p-60
 
+void bvh_wide_set_items(WideBvh *w, const void *first, size_t size) { w->items = first, w->item_size = size; }
+
+const void *bvh_wide_item(const WideBvh *w, uint32_t i) { return w->items ? w->items + i * w->item_size : NULL; }
+
 uint32_t bvh_wide_node_count(const WideBvh *w) { return w->n_nodes; }
 
 /* ---- traversal ---- */
@@ -115,13 +119,16 @@ ALWAYS_INLINE unsigned mask_of(V8i truth)
 }
 
 /* Those that wait on the stack come from memory meanwhile: in a large tree that is what takes the time. */
-ALWAYS_INLINE void prefetch(const WideNode *n)
+ALWAYS_INLINE void prefetch(const WideBvh *b, uint32_t child)
 {
-    for (size_t at = 0; at < sizeof *n; at += 64) __builtin_prefetch((const char *)n + at);
+    bool is_item = child & IS_ITEM;
+    const char *from = is_item ? b->items + (child & ~IS_ITEM) * b->item_size : (const char *)&b->nodes[child];
+    size_t size = is_item ? b->item_size : sizeof(WideNode);
+    for (size_t at = 0; at < size; at += 64) __builtin_prefetch(from + at);
 }
 
 /* Children of n that the ray meets in [t_min, t_max], the nearest last, or in no order. */
-ALWAYS_INLINE int meet_children(const WideNode *nodes, const WideNode *n, const Slabs *r, float t_min, float t_max,
+ALWAYS_INLINE int meet_children(const WideBvh *b, const WideNode *n, const Slabs *r, float t_min, float t_max,
                                 bool in_order, Waiting *out)
 {
     V8f near = splat(t_min), far = splat(t_max);
@@ -135,7 +142,7 @@ ALWAYS_INLINE int meet_children(const WideNode *nodes, const WideNode *n, const 
     for (unsigned met = mask_of(near <= far) & n->exists; met != 0; met &= met - 1) {
         int i = __builtin_ctz(met), at = n_met++;
         float t = near[i];
-        if (!(n->child[i] & IS_ITEM)) prefetch(&nodes[n->child[i]]);
+        prefetch(b, n->child[i]);
         for (; in_order && at > 0 && out[at - 1].t < t; at--) out[at] = out[at - 1];
         out[at] = (Waiting){ n->child[i], t };
     }
@@ -164,7 +171,7 @@ ALWAYS_INLINE bool traverse(const WideBvh *b, const Ray *r, double *t_max, Visit
     Slabs slabs = t->wide.slabs;     /* the visitor's own trees may need another ray */
     Waiting stack[STACK_SIZE];
     float limit = limit_of(&slabs, *t_max), t_min = float_down((r->t_min - slabs.start) * slabs.scale);
-    int top = meet_children(b->nodes, &b->nodes[0], &slabs, t_min, limit, in_order, stack);
+    int top = meet_children(b, &b->nodes[0], &slabs, t_min, limit, in_order, stack);
     uint64_t n_boxes = b->nodes[0].n_children;
     bool ended = false;
     while (top > 0 && !ended) {
@@ -176,7 +183,7 @@ ALWAYS_INLINE bool traverse(const WideBvh *b, const Ray *r, double *t_max, Visit
         } else {
             const WideNode *n = &b->nodes[next.child];
             n_boxes += n->n_children;
-            top += meet_children(b->nodes, n, &slabs, t_min, limit, in_order, stack + top);
+            top += meet_children(b, n, &slabs, t_min, limit, in_order, stack + top);
         }
     }
     *count += n_boxes;

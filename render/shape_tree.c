@@ -12,7 +12,10 @@ typedef struct {
 } Part;
 
 /* What the joined tree has: an item of a part, or the part itself. */
-typedef struct { uint32_t part, item; } Item;
+typedef struct {
+    uint32_t part, item;
+    const void *at;            /* where the part has the item; NULL: not known */
+} Item;
 #define ALL_OF_IT UINT32_MAX
 
 struct ShapeTree {
@@ -89,9 +92,11 @@ static void join(ShapeTree *tree, Arena *a, const Lending *k, Arena *scratch)
     Item *items = ARENA_ARRAY(a, Item, n_items);
     for (uint32_t i = 0; i < tree->n; i++)
         for (uint32_t item = first[i], end = i + 1 < tree->n ? first[i + 1] : n_items; item < end; item++)
-            items[item] = (Item){ i, k->lent[i] ? item - first[i] : ALL_OF_IT };
+            items[item] = k->lent[i] ? (Item){ i, item - first[i], bvh_item(k->lent[i], item - first[i]) }
+                                     : (Item){ i, ALL_OF_IT, tree->parts[i].shape };
     tree->items = items;
     tree->joined = bvh_join(a, k->boxes, k->lent, first, tree->n);
+    bvh_set_items(tree->joined, items, sizeof *items);
 }
 
 void shape_tree_join(ShapeTree *tree, const Shape *whole, Arena *a, Trace *t)
@@ -103,12 +108,16 @@ void shape_tree_join(ShapeTree *tree, const Shape *whole, Arena *a, Trace *t)
     arena_free(scratch);
 }
 
-/* The tree for one hit, and what its items are. */
+/* The tree for one hit, and what its items are. What an item is comes from memory while its shape is looked at. */
 static const Bvh *tree_searched(const ShapeTree *tree) { return tree->joined ? tree->joined : tree->bvh; }
 
 static Item item_at(const ShapeTree *tree, uint32_t i)
 {
-    return tree->joined ? tree->items[i] : (Item){ i, ALL_OF_IT };
+    if (!tree->joined) return (Item){ i, ALL_OF_IT, NULL };
+    Item item = tree->items[i];
+    __builtin_prefetch(item.at);
+    __builtin_prefetch((const char *)item.at + 64);
+    return item;
 }
 
 /* An item of the tree that is searched, alone. */
@@ -159,7 +168,7 @@ bool shape_tree_hit(const ShapeTree *tree, const Ray *r, unsigned skip, Hit *bes
     Search s = { tree, skip, best, -1 };
     double t_max = best->t;
     for (uint32_t i = 0; i < tree->n_unbounded; i++)
-        meet_nearest(&s, (Item){ tree->unbounded[i], ALL_OF_IT }, r, &t_max, t);
+        meet_nearest(&s, (Item){ tree->unbounded[i], ALL_OF_IT, NULL }, r, &t_max, t);
     bvh_traverse(tree_searched(tree), r, &t_max, visit_nearest, &s, t);
     return s.best_rank >= 0;
 }
@@ -214,6 +223,6 @@ bool shape_tree_blocks(const ShapeTree *tree, const Ray *r, unsigned skip, doubl
     Search s = { tree, skip, NULL, -1 };
     if (is_still_blocked(&s, r, t_max, t)) return true;
     for (uint32_t i = 0; i < tree->n_unbounded; i++)
-        if (meet_any(&s, (Item){ tree->unbounded[i], ALL_OF_IT }, r, &t_max, t)) return true;
+        if (meet_any(&s, (Item){ tree->unbounded[i], ALL_OF_IT, NULL }, r, &t_max, t)) return true;
     return bvh_any(tree_searched(tree), r, t_max, visit_any, &s, t);
 }

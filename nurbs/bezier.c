@@ -6,6 +6,8 @@
  * second triangle at b yields f(a^{k-1-i}, b^i): the Bézier points. */
 #include "nurbs/bezier.h"
 
+#include "nurbs/restrict.h"
+
 #include <string.h>
 
 /* out = (1-s) a + s b for blocks of `width` points; out may be a or b. */
@@ -74,25 +76,12 @@ void bezier_from_span_wide(int k, const double tau[], int mu, int width, Wide p[
 
 /* ---- cutting ---- */
 
-/* De Casteljau's triangle shrinks towards block 0 here, and leaves its lower side behind: the part after s. */
-static void keep_after(int k, int width, double s, Vec4 p[])
-{
-    for (int q = 1; q < k; q++)
-        for (int i = 0; i < k - q; i++) blend(width, s, p + i * width, p + (i + 1) * width, p + i * width);
-}
-
-/* The same towards the last block, with the upper side: the part before s. */
-static void keep_before(int k, int width, double s, Vec4 p[])
-{
-    for (int q = 1; q < k; q++)
-        for (int i = k - 1; i >= q; i--) blend(width, s, p + (i - 1) * width, p + i * width, p + i * width);
-}
-
+EVERY_X86
 void bezier_cut(int k, int width, double s, Vec4 p[], Vec4 left[])
 {
     memcpy(left, p, (size_t)(k * width) * sizeof *p);
-    keep_before(k, width, s, left);
-    keep_after(k, width, s, p);
+    restrict_before(left, k, width, width, s, 1 - s);
+    restrict_after(p, k, width, width, s, 1 - s);
     memcpy(p, left + (k - 1) * width, (size_t)width * sizeof *p);   /* equal but for roundings: made equal */
 }
 
@@ -100,7 +89,7 @@ Vec4 bezier_point(int k, const Vec4 p[], double s)
 {
     Vec4 q[NURBS_MAX_ORDER];
     memcpy(q, p, (size_t)k * sizeof *q);
-    keep_after(k, 1, s, q);
+    restrict_after(q, k, 1, 1, s, 1 - s);
     return q[0];
 }
 

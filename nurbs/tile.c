@@ -12,6 +12,7 @@
 
 #include "nurbs/bezier.h"
 #include "nurbs/patch_kernel.h"
+#include "nurbs/restrict.h"
 #include "render/box.h"
 
 #include <float.h>
@@ -29,8 +30,7 @@ static Vec3 xyz(Vec4 p) { return vec(p.x, p.y, p.z); }
 static void to_floats(Vec3 x, float out[3]) { out[0] = (float)x.x, out[1] = (float)x.y, out[2] = (float)x.z; }
 
 /* Roundings of a net in each direction, for each of k - 1 combinations. The preparation halves at most five times, with one
- * each (the products are exact). On demand tile_net takes 3 (1 - x, a product, the sum) and 5 (since x is a quotient, too,
- * whose error counts twice), and a halving one more. */
+ * each. On demand tile_net takes 3 and 5 (restrict.h; the quotient's two), and a halving one more. */
 #define NET_ROUNDINGS 9
 _Static_assert(TILE_FIRST_HALVINGS <= NET_ROUNDINGS, "five halvings or one restriction");
 
@@ -58,30 +58,12 @@ static void make_source(const Tile *f, const Vec4 *net, Source *out)
     for (int i = 0; i < p->k_u * p->k_v; i++) out->net[i] = patch_point_about(net[i], middle);
 }
 
-/* One row of k points, `stride` apart, on the interval [x0, x1] of its own [0, 1] (which may reach beyond): de Casteljau at
- * x1, keeping the left part, then at x0/x1, keeping the right one. */
-ALWAYS_INLINE void row_restrict(Vec4 *p, int k, int stride, double x0, double x1)
-{
-    for (int n = 1; n < k && x1 != 1; n++)
-        for (int i = k - 1; i >= n; i--)
-            p[i * stride] = vec4_lerp(p[(i - 1) * stride], p[i * stride], x1);
-    double x = x0 / x1;
-    for (int n = 1; n < k && x0 != 0; n++)
-        for (int i = 0; i < k - n; i++)
-            p[i * stride] = vec4_lerp(p[i * stride], p[(i + 1) * stride], x);
-}
-
-ALWAYS_INLINE void net_restrict(int k_u, int k_v, Vec4 *net, double s0, double s1, double t0, double t1)
-{
-    for (int j = 0; j < k_v; j++) row_restrict(net + j * k_u, k_u, 1, s0, s1);
-    for (int i = 0; i < k_u; i++) row_restrict(net + i, k_v, k_u, t0, t1);
-}
-
 EVERY_X86
 void tile_net(const Patch *p, TilePlace at, Vec4 *net)
 {
     for (int i = 0; i < p->k_u * p->k_v; i++) net[i] = p->p[i];
-    net_restrict(p->k_u, p->k_v, net, at.s0, at.s0 + at.ds, at.t0, at.t0 + at.dt);
+    restrict_net(net, p->k_u, p->k_v, true, at.s0, at.s0 + at.ds);
+    restrict_net(net, p->k_u, p->k_v, false, at.t0, at.t0 + at.dt);
 }
 
 TilePlaces tile_cut(const Patch *p, TilePlace at, bool along_u, Vec4 *net, Vec4 *first)
@@ -161,7 +143,8 @@ ALWAYS_INLINE void bound_variation(const Source *p, Tile *out)
     Vec4 net[NURBS_MAX_ORDER * NURBS_MAX_ORDER];
     double whole = out->patch->radius, length = 1 + 2 * TILE_MARGIN, spread_s, spread_t, w_s, w_t, error = margin_error(p);
     for (int i = 0; i < n; i++) net[i] = p->net[i];
-    net_restrict(p->k_u, p->k_v, net, -TILE_MARGIN, 1 + TILE_MARGIN, -TILE_MARGIN, 1 + TILE_MARGIN);
+    restrict_net(net, p->k_u, p->k_v, true, -TILE_MARGIN, 1 + TILE_MARGIN);
+    restrict_net(net, p->k_u, p->k_v, false, -TILE_MARGIN, 1 + TILE_MARGIN);
     Weights w = { weights_of(net, n).lo, weights_of(p->net, n).hi };
     out->variation = INFINITY;
     bool has_margin = w.lo > 2 * error * w.hi;    /* extrapolated weights may be negative: then the margin proves nothing */

@@ -80,24 +80,32 @@ static bool choose_halving(const Preparation *k, TileBend bend, Halvings left, b
     return (*along_u ? left.u : left.v) > 0 && 0.5 * (*along_u ? bend.along_u : bend.along_v) > k->variation;
 }
 
+static bool is_cut(Preparation *k, TrimRect rect)
+{
+    bool is = k->s->trims && trim_class(k->s->trims, rect) == TRIM_CUT;
+    k->n_cut += is;
+    return is;
+}
+
+static Part part_at(Part whole, TilePlace place)
+{
+    return (Part){ whole.patch, place, tile_rect(whole.patch, place) };
+}
+
 /* Cuts the net of a part until each piece is worth a frame, below node `at`; `net` is used up. Returns whether anything of
  * it is kept. */
 static bool grow_tiles(Preparation *k, uint32_t at, Vec4 *net, Part part, Halvings left)
 {
     const Surface *s = k->s;
-    part.rect = tile_rect(part.patch, part.place);
-    TrimClass class = s->trims ? trim_class(s->trims, part.rect) : TRIM_KEPT;
-    k->n_cut += class == TRIM_CUT;
-    if (class == TRIM_CUT) return false;
     bool along_u;
     if (!choose_halving(k, tile_bend(s->k_u, s->k_v, net), left, &along_u)) return keep_tile(k, at, net, &part);
     Vec4 first[NURBS_MAX_ORDER * NURBS_MAX_ORDER];
     *(along_u ? &left.u : &left.v) -= 1;
     TilePlaces halves = tile_cut(part.patch, part.place, along_u, net, first);
-    Part a = part, b = part;
-    a.place = halves.first, b.place = halves.second;
+    Part a = part_at(part, halves.first), b = part_at(part, halves.second);
     uint32_t pair = new_pair(k);
-    bool has_a = grow_tiles(k, pair, first, a, left), has_b = grow_tiles(k, pair + 1, net, b, left);
+    bool has_a = !is_cut(k, a.rect) && grow_tiles(k, pair, first, a, left);
+    bool has_b = !is_cut(k, b.rect) && grow_tiles(k, pair + 1, net, b, left);
     return join_pair(k, at, pair, has_a, has_b);
 }
 
@@ -110,10 +118,7 @@ static bool grow_span(Preparation *k, uint32_t at, int mu_u, int mu_v)
 {
     const Surface *s = k->s;
     TrimRect rect = { s->tau_u[mu_u], s->tau_u[mu_u + 1], s->tau_v[mu_v], s->tau_v[mu_v + 1] };
-    if (s->trims && trim_class(s->trims, rect) == TRIM_CUT) {
-        k->n_cut++;
-        return false;
-    }
+    if (is_cut(k, rect)) return false;
     Vec4 net[NURBS_MAX_ORDER * NURBS_MAX_ORDER], low[NURBS_MAX_ORDER * NURBS_MAX_ORDER];
     Patch *patch = ARENA_NEW(k->own, Patch);
     wide_surface_close(&k->wide, mu_u, mu_v, (WideNet){ net, low });

@@ -2,6 +2,7 @@
 #include "nurbs/view.h"
 
 #include "nurbs/patch_kernel.h"
+#include "nurbs/restrict.h"
 
 #include <float.h>
 #include <math.h>
@@ -11,7 +12,8 @@ View view_of(Arena *scratch, const Patch *p, const PatchRay *r)
 {
     Vec3 o = vec_sub(r->origin, p->origin);
     double q1 = vec_dot(r->n1, o), q2 = vec_dot(r->n2, o);
-    View v = { .k_u = p->k_u, .k_v = p->k_v, .p = ARENA_ARRAY(scratch, Vec4, p->k_u * p->k_v), .w_s = 1, .w_t = 1 };
+    View v = { .k_u = p->k_u, .k_v = p->k_v, .p = ARENA_ARRAY(scratch, Vec4, p->k_u * p->k_v), .w_s = 1, .w_t = 1,
+               .is_polynomial = p->is_polynomial };
     for (int i = 0; i < p->k_u * p->k_v; i++) {
         Vec4 h = p->p[i];
         Vec3 x = vec(h.x, h.y, h.z);
@@ -29,58 +31,42 @@ View view_copy(Arena *scratch, const View *v)
 
 /* ---- restricting ---- */
 
-/* Lines of k coefficients, `stride` apart, side by side: the part before x. */
-ALWAYS_INLINE void keep_before(Vec4 *p, int k, int stride, int width, double x)
-{
-    for (int n = 1; n < k; n++)
-        for (int i = k - 1; i >= n; i--)
-            for (int c = 0; c < width; c++) {
-                Vec4 *q = p + i * stride + c;
-                v4_store(q, v4_load(q - stride) * (1 - x) + v4_load(q) * x);
-            }
-}
-
-/* The part after x. */
-ALWAYS_INLINE void keep_after(Vec4 *p, int k, int stride, int width, double x)
-{
-    for (int n = 1; n < k; n++)
-        for (int i = 0; i < k - n; i++)
-            for (int c = 0; c < width; c++) {
-                Vec4 *q = p + i * stride + c;
-                v4_store(q, v4_load(q) * (1 - x) + v4_load(q + stride) * x);
-            }
-}
-
-ALWAYS_INLINE void restrict_lines(Vec4 *p, int k, int stride, int width, Range part)
-{
-    if (part.hi < 1) keep_before(p, k, stride, width, part.hi);
-    if (part.lo > 0) keep_after(p, k, stride, width, part.lo / part.hi);
-}
-
 EVERY_X86
 static void restrict_points(View *v, bool along_s, Range part)
 {
-    if (!along_s) restrict_lines(v->p, v->k_v, v->k_u, v->k_u, part);
-    else for (int j = 0; j < v->k_v; j++) restrict_lines(v->p + j * v->k_u, v->k_u, 1, 1, part);
+    if (v->k_u == 4 && v->k_v == 4) restrict_net(v->p, 4, 4, along_s, part.lo, part.hi);    /* unrolled */
+    else restrict_net(v->p, v->k_u, v->k_v, along_s, part.lo, part.hi);
 }
 
+/* Of a combination (restrict.h); where both ends move, the second one's shares have two of their own each, and the end moves
+ * by as much. */
+static int roundings(Range part)
+{
+    int before = part.hi < 1 ? part.hi == 0.5 ? 1 : 3 : 0, after = part.lo > 0 ? part.hi == 1 && part.lo == 0.5 ? 1 : 3 : 0;
+    return before + after + (before && after ? 2 : 0);
+}
+
+/* k - 1 combinations; and as many of the weight, if it is not 1. The error of (x, y) is that of both. */
 void view_restrict(View *v, bool along_s, Range part)
 {
     if (part.lo <= 0 && part.hi >= 1) return;
     restrict_points(v, along_s, part);
     double *start = along_s ? &v->s0 : &v->t0, *width = along_s ? &v->w_s : &v->w_t;
     *start += part.lo * *width, *width *= part.hi - part.lo;
-    /* each end that moves takes k - 1 convex combinations, of 3 roundings each, and so does the weight */
-    double error = 0.5 * DBL_EPSILON * 6 * ((along_s ? v->k_u : v->k_v) - 1) * ((part.lo > 0) + (part.hi < 1));
-    v->lost += error * v->size, v->drift += error;
+    int n = roundings(part) * ((along_s ? v->k_u : v->k_v) - 1) * (v->is_polynomial ? 1 : 2);
+    v->lost += M_SQRT2 * 0.5 * DBL_EPSILON * n * v->size, v->drift += 0.5 * DBL_EPSILON * n;
 }
 
+/* Halving by halving, for a half has a third of the roundings of other parts. */
 View view_of_tile(Arena *scratch, const Tile *f, const PatchRay *r)
 {
     View v = view_of(scratch, f->patch, r);
     view_extent(&v);
-    view_restrict(&v, true, (Range){ f->s0, f->s0 + f->ds });
-    view_restrict(&v, false, (Range){ f->t0, f->t0 + f->dt });
+    while (v.w_s > f->ds || v.w_t > f->dt) {
+        bool along_s = v.w_s > f->ds && (v.w_s >= v.w_t || !(v.w_t > f->dt));
+        bool is_second = along_s ? f->s0 >= v.s0 + 0.5 * v.w_s : f->t0 >= v.t0 + 0.5 * v.w_t;
+        view_restrict(&v, along_s, is_second ? (Range){ 0.5, 1 } : (Range){ 0, 0.5 });
+    }
     return v;
 }
 

@@ -6,8 +6,8 @@
  *
  * Rounding. The first coefficients are as exact as `rounding` says (certify.h), times the weights. Restricting is a convex
  * combination, and errs by so many units of sum B |x| <= max |x/w| sum B w: over the weight, relative to the size of the box
- * in space. `lost` adds that up for the plane equations, and stays below `rounding` since boxes shrink; `drift` for the
- * depth, which does not. */
+ * in space. `lost` adds that up for the plane equations, and is soon added up since boxes shrink; `drift` for the depth, which
+ * does not. */
 #ifndef TRIMRAY_VIEW_H
 #define TRIMRAY_VIEW_H
 
@@ -15,6 +15,7 @@
 
 typedef struct {
     int k_u, k_v;
+    bool is_polynomial;      /* every weight is 1, and stays it */
     Vec4 *p;                 /* k_u * k_v coefficients, s fastest */
     double s0, t0;           /* where the box begins in the patch */
     double w_s, w_t;         /* how wide it is there: apart from s0 and t0, whose last bits may be wider */

@@ -139,8 +139,9 @@ static void add_entry(Parser *p, MapDraft *m, double key, const Pigment *g)
 }
 
 /* [key colour], or the old form [key key colour colour]. */
-static void read_color_entry(Parser *p, MapDraft *m)
+static void read_color_entry(Parser *p, void *draft)
 {
+    MapDraft *m = draft;
     double key = parse_float(p), key2 = key;
     accept_comma(p);
     bool has_two = peek(p).kind == TOKEN_NUMBER;
@@ -151,29 +152,37 @@ static void read_color_entry(Parser *p, MapDraft *m)
     add_entry(p, m, key2, solid(p, parse_color(p)));
 }
 
-static void read_pigment_entry(Parser *p, MapDraft *m)
+static void read_pigment_entry(Parser *p, void *draft)
 {
     double key = parse_float(p);
     accept_comma(p);
     Pigment g = *default_pigment(p);
     read_body(p, &g);
-    add_entry(p, m, key, keep_pigment(p, g));
+    add_entry(p, draft, key, keep_pigment(p, g));
+}
+
+bool parse_map(Parser *p, const char *what, ValueKind kind, Value *declared,
+               void (*read_entry)(Parser *p, void *draft), void *draft)
+{
+    Place opened = expect_open(p, what);
+    bool is_declared = accept_value(p, kind, declared);
+    if (!is_declared) {
+        do {
+            Place bracket = expect_punct(p, '[');
+            read_entry(p, draft);
+            expect_close(p, ']', "the entry", bracket);
+        } while (peek_punct(p, '['));
+    }
+    expect_close(p, '}', what, opened);
+    return is_declared;
 }
 
 static const PigmentEntry *read_map(Parser *p, const char *what, ValueKind kind,
-                                    void (*read_entry)(Parser *p, MapDraft *m), int *n)
+                                    void (*read_entry)(Parser *p, void *draft), int *n)
 {
-    Place opened = expect_open(p, what);
     MapDraft m = { .list = NULL };
     Value v;
-    bool is_declared = accept_value(p, kind, &v);
-    while (!is_declared && peek_punct(p, '[')) {
-        Place bracket = expect_punct(p, '[');
-        read_entry(p, &m);
-        expect_close(p, ']', "the entry", bracket);
-    }
-    if (!is_declared && m.n == 0) parse_fail_expected(p, "'['");
-    expect_close(p, '}', what, opened);
+    bool is_declared = parse_map(p, what, kind, &v, read_entry, &m);
     *n = is_declared ? v.n : (int)m.n;
     return is_declared ? v.map : m.list;
 }

@@ -26,26 +26,18 @@ static void read_blocks(Parser *p, const PatternType *type, TextureMap *map)
     map->entries = m.list, map->n_entries = type->n_blocks;
 }
 
-static void read_entry(Parser *p, MapDraft *m)
+static void read_entry(Parser *p, void *draft)
 {
     double key = parse_float(p);
     accept_comma(p);
-    add_entry(p, m, key, parse_texture_body(p));
+    add_entry(p, draft, key, parse_texture_body(p));
 }
 
 void parse_texture_map(Parser *p, const TextureEntry **entries, int *n)
 {
-    Place opened = expect_open(p, "texture_map");
     MapDraft m = { .list = NULL };
     Value v;
-    bool is_declared = accept_value(p, VALUE_TEXTURE_MAP, &v);
-    while (!is_declared && peek_punct(p, '[')) {
-        Place bracket = expect_punct(p, '[');
-        read_entry(p, &m);
-        expect_close(p, ']', "the entry", bracket);
-    }
-    if (!is_declared && m.n == 0) parse_fail_expected(p, "'['");
-    expect_close(p, '}', "texture_map", opened);
+    bool is_declared = parse_map(p, "texture_map", VALUE_TEXTURE_MAP, &v, read_entry, &m);
     *entries = is_declared ? v.texture_map : m.list;
     *n = is_declared ? v.n : (int)m.n;
 }

@@ -48,7 +48,11 @@ bool parse_pattern_item(Parser *p, Pattern *g);
 const Texture *parse_mapped_texture(Parser *p);
 void parse_texture_map(Parser *p, const TextureEntry **entries, int *n);   /* after the word */
 
-/* parse_pigment.c: after the word. POV-Ray's pigments and finishes start from what was there: so do these. */
+/* parse_pigment.c: the braces of any map, after the word. One that is declared goes to *declared (true); else entries are
+ * read, each between its brackets. */
+bool parse_map(Parser *p, const char *what, ValueKind kind, Value *declared,
+               void (*read_entry)(Parser *p, void *draft), void *draft);
+/* After the word. POV-Ray's pigments and finishes start from what was there: so do these. */
 Pigment parse_pigment_from(Parser *p, const Pigment *base);
 const PigmentEntry *parse_color_map(Parser *p, int *n);
 const PigmentEntry *parse_pigment_map(Parser *p, int *n);

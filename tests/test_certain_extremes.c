@@ -58,6 +58,21 @@ static void a_ray_that_leaves_does_not_meet_what_it_leaves(void **state)
     }
 }
 
+/* A torus or a saddle; then it is placed so far from the origin. */
+static Model torus_or_saddle(Arena *a, unsigned seed)
+{
+    Net plain;
+    Form f = seed % 2 ? form_torus(a, .4, &plain) : form_saddle(a, 1, &plain);
+    return model_new(a, f, plain);
+}
+
+static void place_at(Model *m, double offset, TestRandom *r)
+{
+    QuadMap place = model_rotation(r, 1);
+    place.o = quad3_scale(random_direction(r), offset);
+    model_finish(m, &place, NULL, 0);
+}
+
 /* The doubles that the shape was made of, without rounding. */
 static Net net_of_desc(Arena *a, const SurfaceDesc *d, const Net *like)
 {
@@ -87,13 +102,9 @@ static void a_hit_is_as_near_to_the_surface_as_it_says(void **state)
     for (unsigned seed = 0; seed < 48; seed++) {
         TestRandom random = test_random(seed);
         Arena *a = arena_new();
-        Net plain;
-        Form f = seed % 2 ? form_torus(a, .4, &plain) : form_saddle(a, 1, &plain);
-        Model m = model_new(a, f, plain);
+        Model m = torus_or_saddle(a, seed);
         net_mobius(&m.net, NET_U, ratios[seed / 2 % 3]);
-        QuadMap place = model_rotation(&random, 1);
-        place.o = quad3_scale(random_direction(&random), offsets[seed / 6 % 4]);
-        model_finish(&m, &place, NULL, 0);
+        place_at(&m, offsets[seed / 6 % 4], &random);
         Net exact = net_of_desc(a, &m.desc, &m.net);
         Trace trace = new_trace();
         for (int i = 0; i < 100; i++) {
@@ -124,18 +135,14 @@ static void patches_are_as_near_to_the_surface_as_they_say(void **state)
     for (unsigned seed = 0; seed < 120; seed++) {
         TestRandom random = test_random(seed);
         Arena *a = arena_new();
-        Net plain;
-        Form f = seed % 2 ? form_torus(a, .4, &plain) : form_saddle(a, 1, &plain);
-        Model m = model_new(a, f, plain);
+        Model m = torus_or_saddle(a, seed);
         for (int axis = 0; axis < 2; axis++) {
             net_raise(a, &m.net, axis, test_int(&random, m.net.k[axis], 16));
             if (test_int(&random, 0, 1)) net_mobius(&m.net, axis, pow(10, test_range(&random, 0, 4)));
             double end = m.net.knots[axis][m.net.n[axis]];
             for (int i = 0; i < 3; i++) net_insert(a, &m.net, axis, end * test_int(&random, 1, 63) / 64);
         }
-        QuadMap place = model_rotation(&random, 1);
-        place.o = quad3_scale(random_direction(&random), offsets[seed / 2 % 3]);
-        model_finish(&m, &place, NULL, 0);
+        place_at(&m, offsets[seed / 2 % 3], &random);
         Net exact = net_of_desc(a, &m.desc, &m.net);
         TileTree tree;
         tile_tree_make(a, surface_of_shape(m.shape[CERTAIN]), 1e300, &tree);    /* a tile is a patch */
@@ -148,7 +155,8 @@ static void patches_are_as_near_to_the_surface_as_they_say(void **state)
             Quad3 at = quad3_add(quad3_of(tree.base), quad3_add(quad3_of(p->origin), quad3_of(vec4_project(value))));
             double error = (double)quad3_length(quad3_sub(at, net_point(&exact, patch_u(p, s), patch_v(p, t))));
             CHECK_WITHIN(error, is_corner ? p->rounding : patch_rounding(p, vec(0, 0, 0)),
-                         "seed %u, orders %d and %d, offset %g, at %g, %g", seed, p->k_u, p->k_v, offsets[seed / 2 % 3], s, t);
+                         "seed %u, orders %d and %d, offset %g, at %g, %g", seed, p->k_u, p->k_v, offsets[seed / 2 % 3],
+                         s, t);
         }
         shape_release(m.shape[CERTAIN]);
         arena_free(a);
@@ -236,7 +244,8 @@ static void closing_a_span_rounds_each_point_once(void **state)
             int i = insert_ends(a, &closed, NET_U, p->u0, p->u1), j = insert_ends(a, &closed, NET_V, p->v0, p->v1);
             for (int at = 0; at < p->k_u * p->k_v; at++) {
                 Quad4 truth = closed.p[(j + at / p->k_u) * closed.n[NET_U] + i + at % p->k_u];
-                CHECK_WITHIN(distance_to_point(&tree, p, at, truth), p->rounding, "seed %u, tile %u, point %d", seed, tile, at);
+                CHECK_WITHIN(distance_to_point(&tree, p, at, truth), p->rounding, "seed %u, tile %u, point %d", seed, tile,
+                             at);
             }
         }
         arena_free(a);

@@ -2,29 +2,13 @@
 # The program as its users meet it: files, messages, exit statuses.
 #   test_cli.sh TRIMRAY
 set -u
-trimray=$(cd "$(dirname "$1")" && pwd)/$(basename "$1")
-scenes=$(cd "$(dirname "$0")/../scenes" && pwd)
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
+# shellcheck source=tests/program.sh
+. "$(dirname "$0")/program.sh"
 cd "$work" || exit 1
-n_failed=0
 
-# Runs the program; its status is in $status, what it says in the files out and err.
-run() { "$trimray" "$@" >out 2>err; status=$?; }
-
-fail() {
-    n_failed=$((n_failed + 1))
-    echo "FAILED: $test: $*" >&2
-    sed 's/^/    stderr: /' err >&2
-}
-
-ends_with() { [ "$status" = "$1" ] || fail "exit status $status, not $1"; }
-says() { grep -qF -- "$1" err || fail "does not say: $1"; }
-prints() { grep -qF -- "$1" out || fail "does not print: $1"; }
 is_silent() { [ ! -s err ] || fail "is not silent"; }
 same() { cmp -s "$1" "$2" || fail "$1 and $2 differ"; }
 differ() { ! cmp -s "$1" "$2" || fail "$1 and $2 are the same"; }
-exists() { [ -s "$1" ] || fail "no file $1"; }
 absent() { [ ! -e "$1" ] || fail "there is a file $1"; }
 # The header of a PNG file: width, height, bits, colour type (2: RGB, 6: RGBA).
 png() {
@@ -274,8 +258,4 @@ status=$?
 ends_with 130; png endless.png 1000 1000 8 2
 grep -q '"interrupted":.true' endless.json || fail "the statistics do not tell"
 
-if [ $n_failed -gt 0 ]; then
-    echo "$n_failed checks failed" >&2
-    exit 1
-fi
-echo "all as it should be"
+end_of_tests

@@ -1,24 +1,12 @@
 #!/bin/sh
 # Export and comparison, from outside: what is exported reads back as the same scene; meshes come near to surfaces as they
 # must; what compare says and how it ends.
-#   test_export.sh TRIMRAY TESTS_FOLDER
+#   test_export.sh TRIMRAY
 set -u
-trimray=$(cd "$(dirname "$1")" && pwd)/$(basename "$1")
-tests=$(cd "$2" && pwd)
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-n_failed=0
+# shellcheck source=tests/program.sh
+. "$(dirname "$0")/program.sh"
 size="+W120 +H90"
 
-fail() {
-    n_failed=$((n_failed + 1))
-    echo "FAILED: $test: $*" >&2
-    sed 's/^/    /' "$work/err" >&2
-}
-run() { "$trimray" "$@" >"$work/out" 2>"$work/err"; status=$?; }
-ends_with() { [ "$status" = "$1" ] || fail "exit status $status, not $1"; }
-says() { grep -qF -- "$1" "$work/err" || fail "does not say: $1"; }
-prints() { grep -qF -- "$1" "$work/out" || fail "does not print: $1"; }
 works() { run "$@"; [ "$status" = 0 ] || fail "$* ends with $status"; }
 number() { awk -v name="$1" 'index($0, name) == 1 { sub(name, ""); print $1 }' "$work/out"; }
 less() { awk "BEGIN { exit !($1 < $2) }" || fail "$3: $1 is not less than $2"; }
@@ -143,5 +131,4 @@ run compare one.png
 ends_with 2
 says "compare needs two pictures"
 
-echo "$n_failed failed"
-[ "$n_failed" = 0 ]
+end_of_tests

@@ -2,23 +2,11 @@
 # trimray report: its files, its numbers against theory, what it does without povray, with bad scenes and when interrupted.
 #   test_report.sh TRIMRAY
 set -u
-trimray=$(cd "$(dirname "$1")" && pwd)/$(basename "$1")
-scenes=$(cd "$(dirname "$0")/../scenes" && pwd)
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
+# shellcheck source=tests/program.sh
+. "$(dirname "$0")/program.sh"
 cd "$work" || exit 1
-n_failed=0
 
-run() { "$trimray" "$@" >out 2>err; status=$?; }
-fail() {
-    n_failed=$((n_failed + 1))
-    echo "FAILED: $test: $*" >&2
-    sed 's/^/    stderr: /' err >&2
-}
-ends_with() { [ "$status" = "$1" ] || fail "exit status $status, not $1"; }
-says() { grep -qF -- "$1" err || fail "does not say: $1"; }
 has() { grep -qF -- "$2" "$1" || fail "$1 does not have: $2"; }
-exists() { [ -s "$1" ] || fail "no file $1"; }
 
 # column NAME CONDITION: the values of a column of r/report.csv where an awk condition holds; fields by name: $field["method"].
 column() {
@@ -134,4 +122,4 @@ ends_with 130
 head -c "$(wc -c <before)" long/measured.jsonl | cmp -s - before || fail "what was measured is not kept"
 [ -z "$(sed 's/.*"key"://' long/measured.jsonl | sort | uniq -d)" ] || fail "something was measured twice"
 
-[ $n_failed = 0 ] || { echo "$n_failed checks failed" >&2; exit 1; }
+end_of_tests

@@ -13,11 +13,12 @@
  * (patch.c); n more are those of evaluating a patch and of the plane equations (patch_rounding in nurbs/certify.c), at most
  * 4 (k_u + k_v) - 6 and 27, relative to the patch's radius and its distance from the ray's origin: E and O for a patch about
  * the origin of the world, and as far as its middle is off, the one is less and the other more. So R = (4 (k_u + k_v) + 21) u
- * L, and what restricting a patch to boxes adds (`lost` in nurbs/view.h), a tenth of it at most where rays pass. To miss
- * nothing it must take for a hit what R cannot tell from one, and its numbers are off by R themselves: a ray may pass at 2 R
- * and be met. A quarter of R more is what it needs to decide at all (ON_THE_RAY in nurbs/clip.c):
+ * L. To miss nothing it must take for a hit what R cannot tell from one, and its numbers are off by R themselves: a ray may
+ * pass at 2 R and be met. A quarter of R more is what it needs to decide at all (ON_THE_RAY in nurbs/clip.c). Restricting a
+ * patch to boxes adds its own (`lost` in nurbs/view.h), to both, less than R / 9 but where a needle is narrowed often; and
+ * all of these together are not met at their worst:
  *     BAND_SHARE R = 2.5 (4 (k_u + k_v) + 21) u L: for bicubics 66 units in the last place of L.
- * What passes at more must not be met. (Rays are met at 3/4 of it: one of 110,000 of the families.)
+ * What passes at more must not be met. (Rays are met at 1.9 R; with 1.75, one of 110,000 of the families is judged false.)
  *
  * lo and hi say where along the ray a root may move to by the second band. A hit is held to TRUTH_ERROR L; if the ray
  * grazes, so that they are farther apart, to [lo, hi]. */

@@ -21,6 +21,7 @@ typedef struct {
     bool is_shadow_ray;      /* set by whoever casts the ray: boxes are counted apart */
     bool measures_time;      /* fill counters.nurbs_seconds: costs two clock reads a test */
     uint64_t seed;           /* of this ray: depends only on (pixel, sample); see hash.h */
+    bool fetches_ahead;      /* a large tree is being walked: what comes next is worth fetching from memory ahead */
     WideRay wide;            /* the last ray that met a tree of boxes */
     Blockers blockers;
     /* The frame of the last direction, for shapes that see a ray as two planes: unit d, perpendicular unit n1 and n2. */

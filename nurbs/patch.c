@@ -86,7 +86,7 @@ static unsigned collapsed_sides(const Patch *p)
 void patch_make(Arena *a, int k_u, int k_v, WideNet net, double error, TrimRect interval, Patch *out)
 {
     *out = (Patch){ .k_u = k_u, .k_v = k_v, .u0 = interval.u0, .u1 = interval.u1, .v0 = interval.v0, .v1 = interval.v1,
-                    .rounding = error, .roundings = roundings_of_order(k_u) + roundings_of_order(k_v),
+                    .rounding = error, .roundings = (float)(roundings_of_order(k_u) + roundings_of_order(k_v)),
                     .is_polynomial = true };
     for (int i = 0; i < k_u * k_v; i++) {
         out->w_max = double_max(out->w_max, net.hi[i].w);
@@ -95,7 +95,7 @@ void patch_make(Arena *a, int k_u, int k_v, WideNet net, double error, TrimRect 
     patch_move_origin(out, net);
     out->p = arena_copy(a, net.hi, (size_t)(k_u * k_v), sizeof *net.hi);
     measure(out);
-    out->growth = pow(1 + 2 * PATCH_MARGIN, k_u + k_v - 2);
+    out->growth = float_up(pow(1 + 2 * PATCH_MARGIN, k_u + k_v - 2));
     out->collapsed = collapsed_sides(out);
 }
 

@@ -21,11 +21,11 @@ typedef struct {
     Vec3 origin;
     const Vec4 *p;                /* k_u * k_v points, u fastest */
     double rounding;              /* how far S(s, t) may be from where exact arithmetic has it, wherever s and t are */
-    double roundings;             /* of 2^-53 in a coordinate of patch_evaluate, relative to the sum of its terms' sizes */
     double radius;                /* |S(s, t) - origin| <= radius */
+    float roundings;              /* of 2^-53 in a coordinate of patch_evaluate, relative to the sum of its terms' sizes, */
+    float growth;                 /* and by what that sum grows up to PATCH_MARGIN beyond the patch */
     /* and what few do. */
     double w_max;                 /* the largest weight */
-    double growth;                /* of the sum of a combination's terms' sizes, at PATCH_MARGIN beyond the patch */
     double u0, u1, v0, v1;        /* its interval of the surface's parameters */
     bool is_polynomial;           /* every w is 1 */
     unsigned collapsed;           /* bits for the sides s = 0, s = 1, t = 0, t = 1 that are one point, within the rounding */

@@ -36,7 +36,8 @@ static Range hull_meets_zero(const double *lo, const double *hi, int k)
     return x;
 }
 
-/* Roundings of an end of such an interval: some six, of numbers up to 1. */
+/* Roundings of an end of such an interval, of numbers up to 1: of i and of a step over k - 1, a difference, a quotient, a
+ * product and a sum are six of these eight. */
 #define END_ERROR (4 * DBL_EPSILON)
 
 /* The part of [0, 1] along s (or t) outside which g has no zero, if it is within `error` of what it should be. */
@@ -71,7 +72,8 @@ static double derivative_spread(const View *v, const double *g, double by_s, dou
 }
 
 /* g = m1 x + m2 y. The error of (x, y) is that of a point in space, seen along two perpendicular directions: its length is
- * within `error`, so that of g is within error * hypot(m1, m2). */
+ * within `error`, so that of g is within error * hypot(m1, m2). (Its own three roundings of (x, y) are in it: patch_rounding
+ * has those of evaluating a patch, which no coefficient of a box needs.) */
 typedef struct { double *value, error; } Combination;
 
 static Combination combine(const View *v, double m1, double m2, double error, Arena *scratch)

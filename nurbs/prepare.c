@@ -9,7 +9,6 @@
 #include "nurbs/flatten.h"
 #include "nurbs/knots.h"
 
-#include <float.h>
 #include <string.h>
 
 typedef struct {
@@ -44,17 +43,15 @@ static const Piece *make_pieces(Arena *a, Arena *scratch, int k, int n, const do
     return pieces;
 }
 
-/* Rounding of a cell's control points: closing (18 (k-1) u a direction, as 6 cuts) and up to as many cuts as there are cells
- * (3 (k-1) u each), relative to the largest coordinate, and as much for weights; and that of its interval, which the knots'
- * own magnitude decides: u |t| / (t1 - t0) of the cell's extent, for each end. */
+/* Rounding of a cell's control points, of the farthest one, u = 2^-53: up to as many cuts as there are, with 9 u for each of k
+ * - 1 combinations (3 of its own, and 3 of its share, three roundings that move it by b - a, which is twice as long at most);
+ * and closing, twice that (bezier.h). With weights as much again. An evaluated point has (6 (k_u + k_v) - 8) u, and also
+ * twice that (surface.c): a cut is less than one and a half of it. The knots' own magnitude does not count: differences of
+ * knots are rounded relative to themselves. */
+#define CUT_ROUNDING 1.5
 static double box_slack(const Surface *s, const Cuts *u, const Cuts *v)
 {
-    const double unit = DBL_EPSILON / 2;
-    double per_cut = s->rounding / 2;    /* more than 3 (k_u + k_v - 2) u max|p|, with weights twice: see surface.c */
-    double knots_u = fmax(fabs(s->u0), fabs(s->u1)) / (s->u1 - s->u0);
-    double knots_v = fmax(fabs(s->v0), fabs(s->v1)) / (s->v1 - s->v0);
-    double of_interval = s->k_u * (knots_u + 1) * u->n + s->k_v * (knots_v + 1) * v->n;
-    return per_cut * (u->n + v->n + 6) + 4 * unit * s->size * of_interval;
+    return CUT_ROUNDING * s->rounding * (u->n + v->n + 2);
 }
 
 /* In units of half a leaf, as far as it is from the middle: second derivatives are a quarter of those over the leaf. */

@@ -1,8 +1,8 @@
 /* From two children a node to eight.
  *
  * A ray comes to a node about as often as its box has area ([WBB08]), and then tests all of its children at once. So the
- * binary nodes that remain as wide ones are chosen for the least sum of their areas. Let cost(n, j) be the least for the tree
- * below binary node n in place of which j children stand; those of an inner node come from both of its own:
+ * binary nodes that remain as wide ones are chosen for the least sum of their areas. Let cost(n, j) be the least for the
+ * tree below binary node n in place of which j children stand; those of an inner node come from both of its own:
  *     cost(n, j) = min over i of cost(first, i) + cost(second, j - i),     cost(n, 1) = area(n) + cost(n, 8),
  * and 0 where an item stands. */
 #include "render/bvh_collapse.h"

@@ -201,8 +201,8 @@ void options_print_help(FILE *out)
           "usage: trimray [command] SCENE.pov [options]\n\ncommands:\n", out);
     for (const OptionCommand *c = option_commands; c < option_commands + n_option_commands; c++)
         fprintf(out, "  %-26s %s\n", c->name, c->help);
-    fputs("\noptions, in POV-Ray's spelling and in full (also by POV-Ray's INI keys: Width=640; FILE.ini and FILE.ini[SECTION]"
-          "\nread them from a file):\n", out);
+    fputs("\noptions, in POV-Ray's spelling and in full (also by POV-Ray's INI keys: Width=640; FILE.ini and"
+          " FILE.ini[SECTION]\nread them from a file):\n", out);
     for (const OptionRow *row = option_rows; row < option_rows + n_option_rows; row++)
         if (row->help) print_row(row, out);
     fputs("\nexit status: 0 done, 1 the scene or the input is wrong, 2 the command line is wrong, 3 a file cannot be read\n"

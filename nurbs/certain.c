@@ -59,16 +59,13 @@ static bool keeps_along(const TrimTree *trims, Vec2 at, Vec2 half, Vec2 wide, in
  * says that the other has the point, a ray would pass between them. So a root counts as kept if a trim passes as near as the
  * root is uncertain: in space by its distance to all sides, and along the ray by the error of its depth, which is more where
  * it grazes; in u and v by their last bits. */
-static bool is_near_trim(const TrimTree *trims, const TrimCell *cell, const Tile *f, Vec3 d, const Root *root,
-                         double u, double v)
+static bool is_near_trim(const TrimTree *trims, const Tile *f, Vec3 d, const Root *root, double u, double v)
 {
     double w_u = f->patch->u1 - f->patch->u0, w_v = f->patch->v1 - f->patch->v0;
     double du = root->distance * f->ds * w_u / (2.0 * f->length_s) + last_bits(f->patch->u0, f->patch->u1);
     double dv = root->distance * f->dt * w_v / (2.0 * f->length_t) + last_bits(f->patch->v0, f->patch->v1);
-    Vec2 step = vec2_scale(step_along(f, d), root->depth_error), along = vec2(step.x * w_u, step.y * w_v);
-    double reach_u = fabs(along.x) + du, reach_v = fabs(along.y) + dv;
-    if (!trim_cell_may_meet(cell, (TrimRect){ u - reach_u, u + reach_u, v - reach_v, v + reach_v })) return false;
-    return keeps_along(trims, vec2(u, v), along, vec2(du, dv), MAX_CUTS_ALONG);
+    Vec2 along = vec2_scale(step_along(f, d), root->depth_error);
+    return keeps_along(trims, vec2(u, v), vec2(along.x * w_u, along.y * w_v), vec2(du, dv), MAX_CUTS_ALONG);
 }
 
 static bool accept_root(void *context, const Tile *f, PatchRay *ray, const Root *root)
@@ -80,7 +77,7 @@ static bool accept_root(void *context, const Tile *f, PatchRay *ray, const Root 
     const TrimCell *cell = k->tree->cells ? k->tree->cells[k->tile] : NULL;
     if (cell) {
         count->trim_tests++;
-        if (!trim_cell_keeps(cell, u, v) && !is_near_trim(k->s->trims, cell, f, ray->d, root, u, v)) return false;
+        if (!trim_cell_keeps(cell, u, v) && !is_near_trim(k->s->trims, f, ray->d, root, u, v)) return false;
     }
     count->reported_hits++;
     k->found = true;

@@ -254,7 +254,7 @@ int trim_chain_next(const TrimChain *c, TrimRect r, int from)
  * near it or nowhere. */
 static bool arc_meets_height(const TrimPath *path, int i, double u0, double u1, double v)
 {
-    WidePoint from = trim_vertex(path, i), to = trim_vertex(path, i + 1), at = wide_point(vec2(u1, v));
+    WidePoint from = trim_vertex(path, i), to = trim_vertex(path, i + 1), at = wide_point(vec2(nextafter(u1, 2), v));
     if (trim_run_straddles(path, i, i + 1, at) != 0)
         return !trim_arc_is_right(&path->arc[i], from, to, at)
             && trim_arc_is_right(&path->arc[i], from, to, wide_point(vec2(nextafter(u0, -1), v)));
@@ -263,7 +263,8 @@ static bool arc_meets_height(const TrimPath *path, int i, double u0, double u1, 
 }
 
 /* An arc from the lower left to the upper right keeps clear of r if it passes to the right of r's lower right corner or
- * to the left of the upper left one, both cut to the arc's box; other arcs likewise. */
+ * to the left of the upper left one, both cut to the arc's box; other arcs likewise. The box is that of the vertices' high
+ * parts: the arc may be within a unit in the last place beside it, and so do the corners go. */
 static bool arc_meets_rect(const TrimPath *path, int i, TrimRect r)
 {
     Vec2 a = path->p[i], b = path->p[i + 1];
@@ -274,7 +275,7 @@ static bool arc_meets_rect(const TrimPath *path, int i, TrimRect r)
     double left_v = leans_right ? q.v0 : q.v1, right_v = leans_right ? q.v1 : q.v0;
     WidePoint from = trim_vertex(path, i), to = trim_vertex(path, i + 1);
     if (left_v > box.v0 && left_v < box.v1
-        && trim_arc_is_right(&path->arc[i], from, to, wide_point(vec2(q.u1, left_v)))) return false;
+        && trim_arc_is_right(&path->arc[i], from, to, wide_point(vec2(nextafter(q.u1, 2), left_v)))) return false;
     return !(right_v > box.v0 && right_v < box.v1
              && !trim_arc_is_right(&path->arc[i], from, to, wide_point(vec2(nextafter(q.u0, -1), right_v))));
 }

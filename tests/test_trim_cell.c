@@ -39,7 +39,8 @@ static void agree_in(Arena *a, const TrimTree *t, TrimRect rect, TestRandom *r, 
         double u = i % 8 ? test_range(r, rect.u0, rect.u1) : i % 16 ? rect.u0 : rect.u1;
         double v = i % 5 ? test_range(r, rect.v0, rect.v1) : i % 10 ? rect.v0 : rect.v1;
         bool keeps = cell ? trim_cell_keeps(cell, u, v) : class == TRIM_KEPT;
-        CHECK(keeps == trim_keeps(t, u, v), "seed %u: (%.17g, %.17g)", seed, u, v);
+        CHECK(keeps == trim_keeps(t, u, v), "seed %u: (%.17g, %.17g) in [%.17g, %.17g] x [%.17g, %.17g]", seed, u, v,
+              rect.u0, rect.u1, rect.v0, rect.v1);
     }
     arena_free(scratch);
 }
@@ -65,6 +66,38 @@ static void a_cell_says_what_the_tree_says(void **state)
 }
 
 /* Where the rectangle's sides run through vertices and along pieces, and rows of vertices through the rectangle. */
+static double some_ulps_from(double x, int n)
+{
+    for (; n > 0; n--) x = nextafter(x, 2);
+    for (; n < 0; n++) x = nextafter(x, -2);
+    return x;
+}
+
+/* Where a circle turns an arc is as narrow as the last bit of its ends, and its other bits say where it is. */
+static void a_cell_that_ends_beside_a_turn_says_what_the_tree_says(void **state)
+{
+    (void)state;
+    int count[3] = { 0 };
+    for (unsigned seed = 0; seed < 300; seed++) {
+        Arena *a = arena_new();
+        TestRandom r = test_random(seed);
+        double radius = test_range(&r, .1, .4);
+        Vec2 centre = vec2(test_range(&r, .45, .55), test_range(&r, .45, .55));
+        TrimLoopDesc circle = turned_circle(a, centre, radius, test_int(&r, 0, 1) ? 0 : test_range(&r, 0, 7), seed % 2);
+        Made m = make_of(a, &circle, 1);
+        CHECK(m.tree, "seed %u: code %d", seed, m.error.code);
+        for (int k = -30; k <= 30; k++) {
+            double u = some_ulps_from(centre.x, k), v = some_ulps_from(centre.y, k), w = test_range(&r, .01, .1);
+            agree_in(a, m.tree, (TrimRect){ 0, 1, v, v + w }, &r, count, seed);
+            agree_in(a, m.tree, (TrimRect){ 0, 1, v - w, v }, &r, count, seed);
+            agree_in(a, m.tree, (TrimRect){ u, u + w, 0, 1 }, &r, count, seed);
+            agree_in(a, m.tree, (TrimRect){ u - w, u, 0, 1 }, &r, count, seed);
+        }
+        arena_free(a);
+    }
+    assert_true(count[TRIM_MIXED] > 10000);
+}
+
 static void a_cell_of_a_lattice_says_what_the_tree_says(void **state)
 {
     (void)state;
@@ -123,6 +156,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_cell_says_what_the_tree_says),
+        cmocka_unit_test(a_cell_that_ends_beside_a_turn_says_what_the_tree_says),
         cmocka_unit_test(a_cell_of_a_lattice_says_what_the_tree_says),
         cmocka_unit_test(a_cell_of_a_long_loop_is_small),
     };

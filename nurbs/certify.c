@@ -52,12 +52,13 @@ PatchRay patch_ray(Vec3 origin, Vec3 dir, double t_min, double t_max)
 #define ROUNDINGS_OF_ORIGIN 2
 
 /* N.(H - w o) over w. The roundings of H and w are relative to the sizes of their terms, and so move the quotient by as much
- * of the radius and of |o|. N.H is a dot product; N.o is one, and its product with w and the
- * sum with N.H are as good as another. */
+ * of the radius and of |o|. N.H is a dot product; N.o is one, and its product with w and the sum with N.H are as good as
+ * another. (The sum of |o|'s coordinates is a bound, too, but up to sqrt 3 as much: with it rays are met beyond the band of
+ * tests/stress/truth.h.) */
 double patch_rounding(const Patch *p, Vec3 offset)
 {
     double n = p->roundings + (ROUNDINGS_OF_FRAME + 2 * ROUNDINGS_OF_DOTS + ROUNDINGS_OF_ORIGIN);
-    return p->rounding + 0.5 * DBL_EPSILON * n * (p->radius + fabs(offset.x) + fabs(offset.y) + fabs(offset.z));
+    return p->rounding + 0.5 * DBL_EPSILON * n * (p->radius + vec_length(offset));
 }
 
 /* The plane equations of one ray and tile, and where the iteration stands. */
@@ -115,7 +116,8 @@ ALWAYS_INLINE bool report(const Solve *k, RootVisit visit, void *context)
     double slope = length2(along_s * k->j22 - along_t * k->j21, along_t * k->j11 - along_s * k->j12);
     const Tile *f = k->tile;
     Root root = { .s = f->s0 + clamped(k->s, 0, 1) * f->ds, .t = f->t0 + clamped(k->t, 0, 1) * f->dt,
-                  .depth = depth, .distance = 2 * k->rounding, .depth_error = k->rounding * (1 + slope / fabs(k->det)) };
+                  .depth = depth, .distance = 2 * k->rounding, .beside = k->rounding,
+                  .depth_error = k->rounding * (1 + slope / fabs(k->det)) };
     return visit(context, k->tile, k->r, &root);
 }
 

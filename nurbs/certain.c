@@ -59,13 +59,16 @@ static bool keeps_along(const TrimTree *trims, Vec2 at, Vec2 half, Vec2 wide, in
  * says that the other has the point, a ray would pass between them. So a root counts as kept if a trim passes as near as the
  * root is uncertain: in space to all sides by as much as it may be beside the ray, and along the ray by the error of its
  * depth, which is more where it grazes; in u and v by their last bits. */
-static bool is_near_trim(const TrimTree *trims, const Tile *f, Vec3 d, const Root *root, double u, double v)
+static bool is_near_trim(const TrimTree *trims, const TrimCell *cell, const Tile *f, Vec3 d, const Root *root,
+                         double u, double v)
 {
     double w_u = f->patch->u1 - f->patch->u0, w_v = f->patch->v1 - f->patch->v0;
     double du = root->beside * f->ds * w_u / (2.0 * f->length_s) + last_bits(f->patch->u0, f->patch->u1);
     double dv = root->beside * f->dt * w_v / (2.0 * f->length_t) + last_bits(f->patch->v0, f->patch->v1);
-    Vec2 along = vec2_scale(step_along(f, d), root->depth_error);
-    return keeps_along(trims, vec2(u, v), vec2(along.x * w_u, along.y * w_v), vec2(du, dv), MAX_CUTS_ALONG);
+    Vec2 step = vec2_scale(step_along(f, d), root->depth_error), along = vec2(step.x * w_u, step.y * w_v);
+    double reach_u = fabs(along.x) + du, reach_v = fabs(along.y) + dv;
+    if (!trim_cell_may_meet(cell, (TrimRect){ u - reach_u, u + reach_u, v - reach_v, v + reach_v })) return false;
+    return keeps_along(trims, vec2(u, v), along, vec2(du, dv), MAX_CUTS_ALONG);
 }
 
 static bool accept_root(void *context, const Tile *f, PatchRay *ray, const Root *root)
@@ -77,7 +80,7 @@ static bool accept_root(void *context, const Tile *f, PatchRay *ray, const Root 
     const TrimCell *cell = k->tree->cells ? k->tree->cells[k->tile] : NULL;
     if (cell) {
         count->trim_tests++;
-        if (!trim_cell_keeps(cell, u, v) && !is_near_trim(k->s->trims, f, ray->d, root, u, v)) return false;
+        if (!trim_cell_keeps(cell, u, v) && !is_near_trim(k->s->trims, cell, f, ray->d, root, u, v)) return false;
     }
     count->reported_hits++;
     k->found = true;
@@ -114,7 +117,7 @@ static bool visit_tile(void *context, uint32_t i, const Ray *r, double *t_max, T
     Search *k = context;
     (void)r;
     k->t_max = t_max, k->tile = i, k->trace = t;
-    prefetch_patch(&k->tree->tiles[i]);
+    if (t->fetches_ahead) prefetch_patch(&k->tree->tiles[i]);
     t->counters.leaf_tests++;
     double begin = t->measures_time ? stats_now() : 0;
     bool ended = tile_roots(&k->tree->tiles[i], &k->ray, accept_root, k, t);
@@ -151,14 +154,14 @@ static inline bool set_ray(Search *k, const Ray *r, double t_max, Trace *t)
     return true;
 }
 
-/* Tiles that the ray comes near: the nearest first, or in any order until one ends the search. */
-typedef enum { SEARCH_NEAREST, SEARCH_ANY } SearchFor;
+/* Tiles that the ray comes near: the nearest first, or in any order, until one ends the search if one does. */
+typedef enum { SEARCH_NEAREST, SEARCH_ANY_ORDER } SearchFor;
 
 static bool search_tiles(Search *k, const Ray *r, double t_max, SearchFor what, Trace *t)
 {
     if (!set_ray(k, r, t_max, t)) return false;
     Ray in_bvh = { vec_sub(r->origin, k->tree->bvh_base), r->dir, r->t_min };
-    if (what == SEARCH_ANY) return bvh_any(k->tree->bvh, &in_bvh, t_max, visit_tile, k, t);
+    if (what == SEARCH_ANY_ORDER) return bvh_any(k->tree->bvh, &in_bvh, t_max, visit_tile, k, t);
     bvh_traverse(k->tree->bvh, &in_bvh, &t_max, visit_tile, k, t);
     return k->found;
 }
@@ -197,7 +200,7 @@ bool certain_any(const Surface *s, const TileTree *tree, const Ray *r, double t_
     Search k;
     begin(&k, s, tree, take_any);
     if (is_still_blocked(&k, r, t_max, t)) return true;
-    if (!search_tiles(&k, r, t_max, SEARCH_ANY, t)) return false;
+    if (!search_tiles(&k, r, t_max, SEARCH_ANY_ORDER, t)) return false;
     blocker_note(&t->blockers, tree, k.tile);
     return true;
 }
@@ -262,7 +265,7 @@ void certain_all(const Surface *s, const TileTree *tree, const Ray *r, double t_
 {
     *out = (CertainList){ ARENA_ARRAY(t->scratch, CertainHit, FIRST_ROOM), 0, FIRST_ROOM };
     Search k = { .s = s, .tree = tree, .take = take_all, .all = out };
-    search_tiles(&k, r, t_max, SEARCH_NEAREST, t);
+    search_tiles(&k, r, t_max, SEARCH_ANY_ORDER, t);
     if (k.overflow) out->hits = arena_copy(t->scratch, out->hits, out->n, sizeof *out->hits);
     arena_free(k.overflow);
     if (out->n > 1) qsort(out->hits, out->n, sizeof *out->hits, compare_hits);

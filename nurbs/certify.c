@@ -53,13 +53,14 @@ PatchRay patch_ray(Vec3 origin, Vec3 dir, double t_min, double t_max)
 
 /* N.(H - w o) over w. The roundings of H and w are relative to the sizes of their terms, and so move the quotient by as much
  * of the radius and of |o|. N.H is a dot product; N.o is one, and its product with w and the sum with N.H are as good as
- * another. (The sum of |o|'s coordinates is a bound, too, but up to sqrt 3 as much: with it rays are met beyond the band of
- * tests/stress/truth.h.) */
-double patch_rounding(const Patch *p, Vec3 offset)
+ * another. */
+ALWAYS_INLINE double rounding_at(const Patch *p, double distance)
 {
     double n = p->roundings + (ROUNDINGS_OF_FRAME + 2 * ROUNDINGS_OF_DOTS + ROUNDINGS_OF_ORIGIN);
-    return p->rounding + 0.5 * DBL_EPSILON * n * (p->radius + vec_length(offset));
+    return p->rounding + 0.5 * DBL_EPSILON * n * (p->radius + distance);
 }
+
+double patch_rounding(const Patch *p, Vec3 offset) { return rounding_at(p, vec_length(offset)); }
 
 /* The plane equations of one ray and tile, and where the iteration stands. */
 typedef struct {
@@ -288,7 +289,8 @@ ALWAYS_INLINE bool set_up(Solve *k)
     const PatchRay *r = k->r;
     k->o = vec_sub(r->origin, k->p->origin);
     Vec3 o = vec_sub(k->o, tile_vec(tile->middle));
-    k->q1 = vec_dot(r->n1, o), k->q2 = vec_dot(r->n2, o), k->rounding = patch_rounding(k->p, k->o);
+    k->q1 = vec_dot(r->n1, o), k->q2 = vec_dot(r->n2, o);
+    k->rounding = rounding_at(k->p, fabs(k->o.x) + fabs(k->o.y) + fabs(k->o.z));    /* no less, and takes no root */
     double depth = -vec_dot(r->d, o), reach = tile->radius + k->rounding;
     return !(k->q1 * k->q1 + k->q2 * k->q2 > reach * reach || depth - reach > r->t_max || depth + reach < r->t_min);
 }
@@ -298,6 +300,7 @@ ALWAYS_INLINE bool solve_one(Solve *k, RootVisit visit, void *context, Trace *tr
 {
     trace->counters.certificates++, trace->counters.nurbs_tests++;
     const Tile *f = k->tile;
+    k->rounding = patch_rounding(k->p, k->o);
     set_to_ray(k);
     k->least_step2 = least_step2(k);
     if (k->r->guess == f) k->s = (k->r->guess_s - f->s0) / f->ds, k->t = (k->r->guess_t - f->t0) / f->dt;

@@ -23,6 +23,9 @@ enum { MAX_DECLINED = 64 };
  * roots that no visitor takes as the nearest, on a surface that keeps to the ray within a few roundings. Then each box that
  * is left has one point of it reported, or none if Newton's method finds none. */
 enum { PATIENCE = 1 << 15 };
+/* Halvings one within the other, which end as the head of this file says; were they not to, the search makes do with points
+ * before the stack ends. */
+enum { MAX_DEPTH = 1000 };
 #define MIN_CLIP 0.8         /* what leaves more than this of both sides is followed by a halving: [NSK90], the 20 % rule */
 
 typedef struct {
@@ -55,6 +58,7 @@ typedef struct {
     int reported;            /* roots, */
     int declined;            /* and those that the visitor did not take as the nearest */
     bool was_halved;         /* counted once as a fallback */
+    int depth;               /* halvings one within the other */
     int patience;            /* boxes that may still be looked at before the search makes do with points that Newton finds */
 } Search;
 
@@ -342,7 +346,9 @@ static bool settle_in_scratch(Search *k, Part *n)
 static bool settle(Search *k, Part *n)
 {
     ArenaMark mark = arena_mark(k->trace->scratch);
+    if (++k->depth > MAX_DEPTH) k->patience = 0;
     bool ended = settle_in_scratch(k, n);
+    k->depth--;
     arena_reset(k->trace->scratch, mark);
     return ended;
 }

@@ -169,8 +169,8 @@ static double coarseness(const Surface *s)
 }
 
 /* Boxes are in single precision: those of a surface that lies farther from the origin than this, in its own diagonals, are
- * about its middle. All others share their space with the trees around them, whose work on a ray is then not done again; they
- * swell by 2^-21 of that distance at most (bvh_wide.c), 2^-11 diagonals, which is little beside a tile. */
+ * about its middle. All others share their space with the trees around them, whose work on a ray is then not done again;
+ * they swell by 2^-21 of that distance at most (bvh_wide.c), 2^-11 diagonals, which is little beside a tile. */
 #define FAR_OFF 1024
 
 void tile_tree_make(Arena *a, const Surface *surface, double variation, TileTree *out)

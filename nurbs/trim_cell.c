@@ -73,6 +73,29 @@ bool trim_cell_keeps(const TrimCell *cell, double u, double v)
     return list_keeps(&cell->list, p);
 }
 
+static bool trim_may_meet(const CellTrim *t, TrimRect r)
+{
+    if (t->n_pieces < 0) return trim_chain_meets(t->chain, r);
+    for (int i = 0; i < t->n_pieces; i++)
+        if (trim_rects_meet(trim_piece_box(&t->chain->path, t->pieces[i]), r)) return true;
+    return false;
+}
+
+static bool list_may_meet(const CellList *l, TrimRect r)
+{
+    for (int i = 0; i < l->n; i++)
+        if (trim_may_meet(&l->trims[i], r) || list_may_meet(l->trims[i].inner, r)) return true;
+    return false;
+}
+
+bool trim_cell_may_meet(const TrimCell *cell, TrimRect r)
+{
+    WidePoint lo = trim_test_point(cell->tree, r.u0, r.v0), hi = trim_test_point(cell->tree, r.u1, r.v1);
+    TrimRect unit = { lo.x.hi, hi.x.hi, lo.y.hi, hi.y.hi };
+    bool is_within = unit.u0 >= cell->r.u0 && unit.u1 <= cell->r.u1 && unit.v0 >= cell->r.v0 && unit.v1 <= cell->r.v1;
+    return !is_within || list_may_meet(&cell->list, unit);
+}
+
 /* ---- making it ---- */
 
 static bool end_matters(const Maker *m, Vec2 p) { return p.x > m->r.u1 && p.y >= m->r.v0 && p.y <= m->r.v1; }

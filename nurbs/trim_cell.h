@@ -14,4 +14,7 @@ TrimClass trim_cell_new(Arena *a, Arena *scratch, const TrimTree *t, TrimRect r,
 /* trim_keeps(t, u, v), for (u, v) in the closed rectangle; others are taken to its nearest point. */
 bool trim_cell_keeps(const TrimCell *cell, double u, double v);
 
+/* May a piece of a trim meet the rectangle? One that is not within the cell's may always be met. */
+bool trim_cell_may_meet(const TrimCell *cell, TrimRect r);
+
 #endif

@@ -45,7 +45,7 @@ Range view_depth(const View *v);
 
 /* The same of what the ray meets of the box. There x and y over the weight are within `error` of zero, so that the depth is
  * z - slant . (x, y), whatever the slant, but for slack = |slant| error. A slant that takes off what the depth gains along
- * the longer axis of the box's image leaves little of a needle across the ray, however long it is; (0, 0) where none does. */
+ * the longer axis of the box's image leaves little of a needle across the ray, however long it is; (0, 0): none does. */
 typedef struct { Range range; double slack; Vec2 slant; } DepthOnRay;
 DepthOnRay view_depth_on_ray(const View *v, double error);
 

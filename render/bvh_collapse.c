@@ -1,8 +1,8 @@
 /* From two children a node to eight.
  *
  * A ray comes to a node about as often as its box has area ([WBB08]), and then tests all of its children at once. So the
- * binary nodes that remain as wide ones are chosen for the least sum of their areas. Let cost(n, j) be the least for the tree
- * below binary node n in place of which j children stand; those of an inner node come from both of its own:
+ * binary nodes that remain as wide ones are chosen for the least sum of their areas. Let cost(n, j) be the least for the
+ * tree below binary node n in place of which j children stand; those of an inner node come from both of its own:
  *     cost(n, j) = min over i of cost(first, i) + cost(second, j - i),     cost(n, 1) = area(n) + cost(n, 8),
  * and 0 where an item stands. */
 #include "render/bvh_collapse.h"
@@ -178,6 +178,9 @@ static uint32_t collapse(Collapse *c, uint32_t from)
     return at;
 }
 
+/* Bytes of nodes. What they lead to is as large again, or more. */
+#define SMALL_TREE ((size_t)1 << 19)
+
 static WideBvh *build(Arena *a, Collapse c, uint32_t n_nodes)
 {
     const BvhNode *nodes = c.nodes;
@@ -190,6 +193,7 @@ static WideBvh *build(Arena *a, Collapse c, uint32_t n_nodes)
                     .bounds = nodes[0].box, .diagonal = box_diagonal(nodes[0].box) };
     for (int k = 0; k < 3; k++)
         w->largest = double_max(w->largest, double_max(fabs(w->bounds.lo[k]), fabs(w->bounds.hi[k])));
+    w->is_large = c.n_wide * sizeof *c.wide > SMALL_TREE;
     w->is_single = nodes[0].n_items > 0 && w->nodes[0].child[0] & IS_ITEM;
     w->single = w->nodes[0].child[0] & ~IS_ITEM;
     arena_free(c.arena);

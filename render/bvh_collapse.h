@@ -18,6 +18,7 @@ struct WideBvh {
     uint32_t n_nodes;
     Box bounds;
     double largest, diagonal;      /* the largest coordinate of the bounds, and their diagonal */
+    bool is_large;                 /* more than a cache of the second level has: what a ray needs next is fetched ahead */
     bool is_single;                /* it has one item alone: */
     uint32_t single;
     const char *items;             /* where the visitor has them, and how large they are; NULL: not known */

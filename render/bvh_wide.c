@@ -129,7 +129,7 @@ ALWAYS_INLINE void prefetch(const WideBvh *b, uint32_t child)
 
 /* Children of n that the ray meets in [t_min, t_max], the nearest last, or in no order. */
 ALWAYS_INLINE int meet_children(const WideBvh *b, const WideNode *n, const Slabs *r, float t_min, float t_max,
-                                bool in_order, Waiting *out)
+                                bool in_order, bool ahead, Waiting *out)
 {
     V8f near = splat(t_min), far = splat(t_max);
     for (int k = 0; k < 3; k++) {
@@ -142,7 +142,7 @@ ALWAYS_INLINE int meet_children(const WideBvh *b, const WideNode *n, const Slabs
     for (unsigned met = mask_of(near <= far) & n->exists; met != 0; met &= met - 1) {
         int i = __builtin_ctz(met), at = n_met++;
         float t = near[i];
-        prefetch(b, n->child[i]);
+        if (ahead) prefetch(b, n->child[i]);
         for (; in_order && at > 0 && out[at - 1].t < t; at--) out[at] = out[at - 1];
         out[at] = (Waiting){ n->child[i], t };
     }
@@ -170,8 +170,9 @@ ALWAYS_INLINE bool traverse(const WideBvh *b, const Ray *r, double *t_max, Visit
     if (!use_wide_ray(b, r, *t_max, t)) return false;
     Slabs slabs = t->wide.slabs;     /* the visitor's own trees may need another ray */
     Waiting stack[STACK_SIZE];
+    bool was_ahead = t->fetches_ahead, ahead = t->fetches_ahead = was_ahead || b->is_large;
     float limit = limit_of(&slabs, *t_max), t_min = float_down((r->t_min - slabs.start) * slabs.scale);
-    int top = meet_children(b, &b->nodes[0], &slabs, t_min, limit, in_order, stack);
+    int top = meet_children(b, &b->nodes[0], &slabs, t_min, limit, in_order, ahead, stack);
     uint64_t n_boxes = b->nodes[0].n_children;
     bool ended = false;
     while (top > 0 && !ended) {
@@ -183,9 +184,10 @@ ALWAYS_INLINE bool traverse(const WideBvh *b, const Ray *r, double *t_max, Visit
         } else {
             const WideNode *n = &b->nodes[next.child];
             n_boxes += n->n_children;
-            top += meet_children(b, n, &slabs, t_min, limit, in_order, stack + top);
+            top += meet_children(b, n, &slabs, t_min, limit, in_order, ahead, stack + top);
         }
     }
+    t->fetches_ahead = was_ahead;
     *count += n_boxes;
     return ended;
 }

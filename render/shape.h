@@ -21,6 +21,7 @@ typedef struct {
     bool is_shadow_ray;      /* set by whoever casts the ray: boxes are counted apart */
     bool measures_time;      /* fill counters.nurbs_seconds: costs two clock reads a test */
     uint64_t seed;           /* of this ray: depends only on (pixel, sample); see hash.h */
+    bool fetches_ahead;      /* a large tree is being walked: what comes next is worth fetching from memory ahead */
     WideRay wide;            /* the last ray that met a tree of boxes */
     Blockers blockers;
     /* The frame of the last direction, for shapes that see a ray as two planes: unit d, perpendicular unit n1 and n2. */
@@ -82,8 +83,8 @@ void shape_prepare(Shape *s, Trace *t);
 /* The same in the arena of a compound around it, beside its neighbours there, until the compound is released with all that
  * is in it. */
 void shape_prepare_in(Shape *s, Arena *own, Trace *t);
-/* For prepare() of `s` in n independent pieces: does work(context, i, own, t) for each, on this thread and on those that wait
- * for `s` meanwhile. Each has an arena of its own, which becomes part of `own`. */
+/* For prepare() of `s` in n independent pieces: does work(context, i, own, t) for each, on this thread and on those that
+ * wait for `s` meanwhile. Each has an arena of its own, which becomes part of `own`. */
 typedef void ShapeWork(void *context, uint32_t i, Arena *own, Trace *t);
 void shape_share_work(const Shape *s, Arena *own, uint32_t n, ShapeWork *work, void *context, Trace *t);
 

@@ -111,12 +111,11 @@ void shape_tree_join(ShapeTree *tree, const Shape *whole, Arena *a, Trace *t)
 /* The tree for one hit, and what its items are. What an item is comes from memory while its shape is looked at. */
 static const Bvh *tree_searched(const ShapeTree *tree) { return tree->joined ? tree->joined : tree->bvh; }
 
-static Item item_at(const ShapeTree *tree, uint32_t i)
+static Item item_at(const ShapeTree *tree, uint32_t i, const Trace *t)
 {
     if (!tree->joined) return (Item){ i, ALL_OF_IT, NULL };
     Item item = tree->items[i];
-    __builtin_prefetch(item.at);
-    __builtin_prefetch((const char *)item.at + 64);
+    if (t->fetches_ahead) __builtin_prefetch(item.at), __builtin_prefetch((const char *)item.at + 64);
     return item;
 }
 
@@ -160,7 +159,7 @@ static bool meet_nearest(Search *s, Item i, const Ray *r, double *t_max, Trace *
 static bool visit_nearest(void *context, uint32_t i, const Ray *r, double *t_max, Trace *t)
 {
     Search *s = context;
-    return meet_nearest(s, item_at(s->tree, i), r, t_max, t);
+    return meet_nearest(s, item_at(s->tree, i, t), r, t_max, t);
 }
 
 bool shape_tree_hit(const ShapeTree *tree, const Ray *r, unsigned skip, Hit *best, Trace *t)
@@ -204,7 +203,7 @@ static bool meet_any(const Search *s, Item i, const Ray *r, const double *t_max,
 static bool visit_any(void *context, uint32_t i, const Ray *r, double *t_max, Trace *t)
 {
     const Search *s = context;
-    bool blocks = meet_any(s, item_at(s->tree, i), r, t_max, t);
+    bool blocks = meet_any(s, item_at(s->tree, i, t), r, t_max, t);
     if (blocks) blocker_note(&t->blockers, s->tree, i);
     return blocks;
 }
@@ -213,7 +212,7 @@ static bool is_still_blocked(const Search *s, const Ray *r, double t_max, Trace 
 {
     uint32_t i = blocker_recall(&t->blockers, s->tree);
     if (i >= bvh_item_count(tree_searched(s->tree))) return false;
-    if (meet_any(s, item_at(s->tree, i), r, &t_max, t)) return true;
+    if (meet_any(s, item_at(s->tree, i, t), r, &t_max, t)) return true;
     blocker_forget(&t->blockers, s->tree);
     return false;
 }

@@ -11,7 +11,7 @@ root=$(cd "$(dirname "$0")/.." && pwd)
 sanitize='' type=Release suffix=''
 while :; do
     case ${1-} in
-        --asan) sanitize=address,undefined type=Debug suffix=$suffix-asan ;;
+        --asan) sanitize=address,undefined,float-cast-overflow type=Debug suffix=$suffix-asan ;;
         --tsan) sanitize=thread type=Debug suffix=$suffix-tsan ;;
         --clang) export CC=clang suffix="$suffix-clang" ;;
         *) break ;;

@@ -198,6 +198,79 @@ static void boxes_in_a_row_are_visited_in_order(void **state)
     arena_free(a);
 }
 
+/* Some boxes alone, some as trees of their own. Items are numbered through. */
+static void a_joined_tree_loses_no_item_of_its_parts(void **state)
+{
+    (void)state;
+    enum { PARTS = 30 };
+    for (unsigned seed = 0; seed < 60; seed++) {
+        TestRandom r = test_random(seed);
+        Arena *a = arena_new();
+        Box boxes[N], bounds[PARTS];
+        const Bvh *parts[PARTS];
+        uint32_t first[PARTS], n = 0, n_parts = seed < 4 ? seed : (uint32_t)test_int(&r, 2, PARTS);
+        make_boxes(&r, (Kind)(seed % N_KINDS), boxes, N);
+        for (uint32_t i = 0; i < n_parts; i++) {
+            uint32_t size = (uint32_t)test_int(&r, 1, test_int(&r, 0, 1) ? 3 : N / PARTS);
+            bool is_alone = test_int(&r, 0, 2) == 0;
+            first[i] = n, n += is_alone ? 1 : size;
+            parts[i] = is_alone ? NULL : bvh_build(a, boxes + first[i], size, BVH_SAH);
+            bounds[i] = is_alone ? boxes[first[i]] : bvh_bounds(parts[i]);
+        }
+        Bvh *b = bvh_join(a, bounds, parts, first, n_parts);
+        for (int k = 0; k < 100; k++) {
+            Ray ray = any_ray(&r);
+            double t_max = test_int(&r, 0, 1) ? INFINITY : test_range(&r, 0, 5), t_enter;
+            unsigned char seen[N] = { 0 }, seen_by_any[N] = { 0 };
+            Visits v = { seen }, w = { seen_by_any };
+            Trace trace = { 0 };
+            BoxRay box = box_ray(ray.origin, ray.dir);
+            CHECK(!bvh_traverse(b, &ray, &t_max, note, &v, &trace), "seed %u", seed);
+            CHECK(!bvh_any(b, &ray, t_max, note, &w, &trace), "seed %u", seed);
+            for (uint32_t i = 0; i < N; i++) {
+                bool is_met = i < n && box_hit(&boxes[i], &box, 0, t_max, &t_enter);
+                CHECK(seen[i] == is_met && seen_by_any[i] == is_met, "seed %u, ray %d, item %u of %u: %d, %d", seed, k, i, n,
+                      seen[i], seen_by_any[i]);
+            }
+        }
+        arena_free(a);
+    }
+}
+
+/* 64 boxes in a cube of 4 x 4 x 4, and what a tree that opens as few nodes as possible has to test for a ray along a row: a
+ * tree of 8 nodes of 8 below a root does with 8 + 4 * 8 at most. */
+static void nodes_are_full(void **state)
+{
+    (void)state;
+    Box boxes[64];
+    for (int i = 0; i < 64; i++) boxes[i] = box_around(vec(i % 4, i / 4 % 4, i / 16), vec(.4, .4, .4));
+    Arena *a = arena_new();
+    Bvh *b = bvh_build(a, boxes, 64, BVH_SAH);
+    CHECK(bvh_node_count(b) == 9, "%u nodes", bvh_node_count(b));
+    Ray ray = { vec(-3, 1, 2), vec(1, 0, 0), 0 };
+    unsigned char seen[64] = { 0 };
+    Visits v = { seen };
+    Trace t = { 0 };
+    bvh_any(b, &ray, INFINITY, note, &v, &t);
+    CHECK(t.counters.bv_intersections <= 1 + 8 + 4 * 8, "%lu boxes", (unsigned long)t.counters.bv_intersections);
+    arena_free(a);
+}
+
+static void items_are_where_they_were_said_to_be(void **state)
+{
+    (void)state;
+    TestRandom r = test_random(3);
+    Box boxes[N];
+    int items[N];
+    make_boxes(&r, CLUSTERED, boxes, N);
+    Arena *a = arena_new();
+    Bvh *b = bvh_build(a, boxes, N, BVH_SAH);
+    assert_null(bvh_item(b, 5));
+    bvh_set_items(b, items, sizeof *items);
+    assert_ptr_equal(bvh_item(b, 5), &items[5]);
+    arena_free(a);
+}
+
 static void the_same_boxes_make_the_same_tree(void **state)
 {
     (void)state;
@@ -231,6 +304,9 @@ int main(void)
         cmocka_unit_test(boxes_are_counted_by_the_kind_of_ray),
         cmocka_unit_test(a_tree_of_nothing_is_empty),
         cmocka_unit_test(boxes_in_a_row_are_visited_in_order),
+        cmocka_unit_test(a_joined_tree_loses_no_item_of_its_parts),
+        cmocka_unit_test(nodes_are_full),
+        cmocka_unit_test(items_are_where_they_were_said_to_be),
         cmocka_unit_test(the_same_boxes_make_the_same_tree),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

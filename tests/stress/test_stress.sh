@@ -50,4 +50,11 @@ for f in failures/*missed*; do
     sed -n 2p "$f" | grep -q missed || fail "$f is no miss"
 done
 
+# Surfaces squeezed by 1e8: a ray that was missed once, and one whose simple root was taken for part of a tangency.
+for ray in "3002 5783" "3001 143"; do
+    set -- $ray
+    $stress --family aspect --knob 1e8 --seed "$1" --rays 8000 --surface-rays 1000 --ray "$2" --hits >needle
+    sed -n 2p needle | grep -Eq ': (right|in the band);' || fail "seed $1, ray $2: $(sed -n 2p needle)"
+done
+
 exit $n_failed

@@ -57,13 +57,13 @@ static bool keeps_along(const TrimTree *trims, Vec2 at, Vec2 half, Vec2 wide, in
 
 /* Faces that share an edge have trims that lie along the same curve in space, but not in the same parameters: where each
  * says that the other has the point, a ray would pass between them. So a root counts as kept if a trim passes as near as the
- * root is uncertain: in space by its distance to all sides, and along the ray by the error of its depth, which is more where
- * it grazes; in u and v by their last bits. */
+ * root is uncertain: in space to all sides by as much as it may be beside the ray, and along the ray by the error of its
+ * depth, which is more where it grazes; in u and v by their last bits. */
 static bool is_near_trim(const TrimTree *trims, const Tile *f, Vec3 d, const Root *root, double u, double v)
 {
     double w_u = f->patch->u1 - f->patch->u0, w_v = f->patch->v1 - f->patch->v0;
-    double du = root->distance * f->ds * w_u / (2.0 * f->length_s) + last_bits(f->patch->u0, f->patch->u1);
-    double dv = root->distance * f->dt * w_v / (2.0 * f->length_t) + last_bits(f->patch->v0, f->patch->v1);
+    double du = root->beside * f->ds * w_u / (2.0 * f->length_s) + last_bits(f->patch->u0, f->patch->u1);
+    double dv = root->beside * f->dt * w_v / (2.0 * f->length_t) + last_bits(f->patch->v0, f->patch->v1);
     Vec2 along = vec2_scale(step_along(f, d), root->depth_error);
     return keeps_along(trims, vec2(u, v), vec2(along.x * w_u, along.y * w_v), vec2(du, dv), MAX_CUTS_ALONG);
 }

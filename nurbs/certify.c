@@ -117,7 +117,8 @@ ALWAYS_INLINE bool report(const Solve *k, RootVisit visit, void *context)
     double slope = length2(along_s * k->j22 - along_t * k->j21, along_t * k->j11 - along_s * k->j12);
     const Tile *f = k->tile;
     Root root = { .s = f->s0 + clamped(k->s, 0, 1) * f->ds, .t = f->t0 + clamped(k->t, 0, 1) * f->dt,
-                  .depth = depth, .distance = 2 * k->rounding, .depth_error = k->rounding * (1 + slope / fabs(k->det)) };
+                  .depth = depth, .distance = 2 * k->rounding, .beside = k->rounding,
+                  .depth_error = k->rounding * (1 + slope / fabs(k->det)) };
     return visit(context, k->tile, k->r, &root);
 }
 

@@ -32,7 +32,8 @@ typedef struct {
     double s, t;             /* parameters of the patch, in [0, 1] */
     double depth;            /* along the unit direction */
     double depth_error;      /* |depth - true depth| is at most this */
-    double distance;         /* the point of the ray at depth is at most this far from the surface */
+    double distance;         /* the point of the ray at depth is at most this far from the surface, */
+    double beside;           /* and that of the surface at (s, t) this far from the ray */
     /* Of several roots closer together than the arithmetic can tell: the signs of (S_s x S_t).d where the ray comes among
      * them and where it leaves them; if they differ, the roots are even in number. 0, 0: a simple root. */
     signed char before, after;

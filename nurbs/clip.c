@@ -153,7 +153,7 @@ static Range depth_of(const Search *k, const Part *n)
 static Root root_at(const Search *k, const View *v, const ViewPoint *at)
 {
     return (Root){ .s = double_min(v->s0 + at->s * v->w_s, 1), .t = double_min(v->t0 + at->t * v->w_t, 1),
-                   .depth = k->middle + at->z.value, .distance = 2 * k->rounding };
+                   .depth = k->middle + at->z.value, .distance = 2 * k->rounding, .beside = k->rounding };
 }
 
 static bool is_in_reach(const Search *k, const Root *root)
@@ -235,7 +235,7 @@ static bool report(Search *k, const Part *n, const ViewPoint *at)
     double slack = depth_slack(k, cosine_at(k, &n->view, at->s, at->t), root.before != root.after);
     double reach = double_max(double_max(depth.hi - at->z.value, at->z.value - depth.lo), 0);
     root.depth_error = reach + slack + k->rounding + n->view.drift * k->p->radius;
-    root.distance += sqrt(residual2(at));
+    root.distance += sqrt(residual2(at)), root.beside += sqrt(residual2(at));
     return visit_root(k, &root);
 }
 

@@ -52,8 +52,8 @@ PatchRay patch_ray(Vec3 origin, Vec3 dir, double t_min, double t_max)
 #define ROUNDINGS_OF_ORIGIN 2
 
 /* N.(H - w o) over w. The roundings of H and w are relative to the sizes of their terms, and so move the quotient by as much
- * of the radius and of |o|. N.H is a dot product; N.o is one, and its product with w and the
- * sum with N.H are as good as another. */
+ * of the radius and of |o|. N.H is a dot product; N.o is one, and its product with w and the sum with N.H are as good as
+ * another. */
 ALWAYS_INLINE double rounding_at(const Patch *p, double distance)
 {
     double n = p->roundings + (ROUNDINGS_OF_FRAME + 2 * ROUNDINGS_OF_DOTS + ROUNDINGS_OF_ORIGIN);

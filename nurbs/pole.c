@@ -44,7 +44,8 @@ static const Vec4 *coefficient(const View *v, PoleSide side, int i, int j)
     return side.is_t ? v->p + line * v->k_u + i : v->p + i * v->k_u + line;
 }
 
-/* Part of the tile beyond which no pole is looked for, and the least one: its ends are still apart from 0 and 1. */
+/* Shares of the box's width: of more the pole is not told from its neighbourhood at once (that is an error of a thousandth of
+ * the box, where rounding mostly is 2^-40 of it); and the least, that has eight bits to be evaluated in, beside 1. */
 #define POLE_MOST 0x1p-10
 #define POLE_LEAST 0x1p-44
 

@@ -122,7 +122,8 @@ static void check_closed_form(const Bench *b)
     const Model *m = &b->model;
     if (!m->form) return;
     QuadMap one = { .x = { 1, 0, 0 }, .y = { 0, 1, 0 }, .z = { 0, 0, 1 } };
-    FormInWorld f = { *m->form, one, one, m->diagonal, 6, NULL, NULL };
+    FormInWorld f = { .form = *m->form, .to_world = one, .to_local = one, .extent = m->diagonal, .diagonal = m->diagonal,
+                      .k_sum = 6 };
     Check c = { 0 };
     for (int k = 0; k < b->n_sets; k++) {
         const RaySet *set = &b->sets[k];

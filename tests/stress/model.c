@@ -18,7 +18,7 @@ static void measure(Model *m)
         hi = vec(fmax(hi.x, p.x), fmax(hi.y, p.y), fmax(hi.z, p.z));
         m->at.extent = fmax(m->at.extent, vec_length(vec(p.x, p.y, p.z)));
     }
-    m->size = vec_length(vec_sub(hi, lo)) / 2;
+    m->at.diagonal = vec_length(vec_sub(hi, lo)), m->size = m->at.diagonal / 2;
     m->at.k_sum = m->desc.order_u + m->desc.order_v;
 }
 

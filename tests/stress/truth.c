@@ -69,7 +69,7 @@ long double truth_length(const FormInWorld *f, const Ray *r)
 
 double truth_band(const FormInWorld *f, const Ray *r)
 {
-    return BAND_SHARE * (4 * f->k_sum + 21) * 0x1p-53 * (f->extent + vec_length(r->origin));
+    return BAND_SHARE * (4 * f->k_sum + 23) * 0x1p-53 * (f->extent + vec_length(r->origin) + f->diagonal);
 }
 
 double truth_input_band(const FormInWorld *f) { return INPUT_ROUNDINGS * 0x1p-53 * f->extent; }

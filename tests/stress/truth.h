@@ -1,6 +1,6 @@
 /* What a ray must meet, may meet and must not meet; and the two bands between. With u = 2^-53, E the largest distance of a
  * control point from the origin, O that of the ray's origin, L = E + O (lengths, for the rounding of a dot product with a
- * unit normal is relative to the product of the lengths):
+ * unit normal is relative to the product of the lengths), D the diagonal of the control points' box:
  *
  * What is given. A surface is given by doubles, so the true shape is moved by half a unit in the last place of each
  * coordinate, u E in space, and of each weight: that moves a point of the surface, a mean of control points, by at most u
@@ -10,15 +10,15 @@
  * the surface that was given: it must be met.
  *
  * What is computed. A method that works in double knows its equations to some R only. Its patches' points are rounded once
- * (patch.c); n more are those of evaluating a patch and of the plane equations (patch_rounding in nurbs/certify.c), at most
- * 4 (k_u + k_v) - 6 and 27, relative to the patch's radius and its distance from the ray's origin: E and O for a patch about
- * the origin of the world, and as far as its middle is off, the one is less and the other more. So R = (4 (k_u + k_v) + 21) u
- * L. To miss nothing it must take for a hit what R cannot tell from one, and its numbers are off by R themselves: a ray may
- * pass at 2 R and be met. A quarter of R more is what it needs to decide at all (ON_THE_RAY in nurbs/clip.c). Restricting a
- * patch to boxes adds its own (`lost` in nurbs/view.h), to both, less than R / 9 but where a needle is narrowed often; and
- * all of these together are not met at their worst:
- *     BAND_SHARE R = 2.5 (4 (k_u + k_v) + 21) u L: for bicubics 66 units in the last place of L.
- * What passes at more must not be met. (Rays are met at 1.9 R; with 1.75, one of 110,000 of the families is judged false.)
+ * (patch.c: 2 u of the radius, u of the middle's distance from the origin, and u E where weights were multiplied in); n more
+ * are those of evaluating a patch and of the plane equations (patch_rounding in nurbs/certify.c), at most 4 (k_u + k_v) - 6
+ * and 27, relative to the patch's radius, D at most, and the distance of its middle from the ray's origin, L at most. So R =
+ * (4 (k_u + k_v) + 23) u (L + D). To miss nothing it must take for a hit what R cannot tell from one, and its numbers are off
+ * by R themselves: a ray may pass at 2 R and be met. A quarter of R more is what it needs to decide at all (ON_THE_RAY in
+ * nurbs/clip.c). Restricting a patch to boxes adds its own (`lost` in nurbs/view.h), to both, less than R / 9 but where a
+ * needle is narrowed often:
+ *     BAND_SHARE R = 2.5 (4 (k_u + k_v) + 23) u (L + D): for bicubics 69 units in the last place of L + D.
+ * What passes at more must not be met.
  *
  * lo and hi say where along the ray a root may move to by the second band. A hit is held to TRUTH_ERROR L; if the ray
  * grazes, so that they are farther apart, to [lo, hi]. */
@@ -55,7 +55,7 @@ typedef Quad (*TruthKept)(const void *context, Quad3 p);
 typedef struct {
     Form form;
     QuadMap to_world, to_local;
-    double extent;               /* E */
+    double extent, diagonal;     /* E, D */
     int k_sum;                   /* k_u + k_v */
     TruthKept kept;
     const void *kept_context;

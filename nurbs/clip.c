@@ -353,6 +353,18 @@ static bool settle(Search *k, Part *n)
     return ended;
 }
 
+/* The whole tile; of one with a pole on the ray mostly that alone. */
+static bool settle_tile(Search *k)
+{
+    Part all = { .has_pole = pole_is_met(k->tile, k->ray, &all.pole) };
+    if (all.has_pole) {
+        all.view = view_of_tile_in_haste(k->trace->scratch, k->tile, k->ray);
+        if (pole_has_all(&all.view, all.pole, k->rounding + all.view.lost)) return report_pole(k, &all);
+    }
+    all.view = view_of_tile(k->trace->scratch, k->tile, k->ray);
+    return settle_in_scratch(k, &all);
+}
+
 bool clip_roots(const Tile *tile, PatchRay *ray, RootVisit visit, void *context, Trace *trace)
 {
     const Patch *p = tile->patch;
@@ -360,9 +372,7 @@ bool clip_roots(const Tile *tile, PatchRay *ray, RootVisit visit, void *context,
     Search k = { .tile = tile, .p = p, .ray = ray, .visit = visit, .context = context, .trace = trace,
                  .rounding = patch_rounding(p, o), .middle = -vec_dot(ray->d, o), .patience = PATIENCE };
     ArenaMark mark = arena_mark(trace->scratch);
-    Part all = { .view = view_of_tile(trace->scratch, tile, ray) };
-    all.has_pole = pole_is_met(tile, ray, &all.pole);
-    bool ended = settle_in_scratch(&k, &all);
+    bool ended = settle_tile(&k);
     arena_reset(trace->scratch, mark);
     return ended;
 }

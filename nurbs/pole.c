@@ -3,7 +3,7 @@
  * Let t run from the side, and F be the two plane equations times the weight, of degree n in t. Where F(s, 0) = 0, F = t G:
  * by B_j,n(t) = t n/j B_j-1,n-1(t), G is of degree n - 1 in t and has the coefficients F_ij n/j, j from 1 to n. If e.G is at
  * least m for a direction e, by the convex hull of these, |F| >= t m. What F(s, 0) really is may be twice the error times
- * the weight, and F is off by as much once: so there is no root where t m is more than three times that. */
+ * the weight in either equation, and F is off by as much once: so there is no root where t m is more than four times that. */
 #include "nurbs/pole.h"
 
 #include <float.h>
@@ -16,6 +16,8 @@ static bool is_on_side(const Tile *f, PoleSide side)
     double from = side.is_t ? f->t0 : f->s0, width = side.is_t ? f->dt : f->ds;
     return side.is_end ? from + width >= 1 : from <= 0;
 }
+
+static double largest(double x, double y) { return double_max(fabs(x), fabs(y)); }
 
 /* A corner of the patch that is on the side. */
 static Vec4 corner(const Patch *p, PoleSide side)
@@ -32,7 +34,7 @@ bool pole_is_met(const Tile *f, const PatchRay *r, PoleSide *side)
         if (!(p->collapsed & 1u << i) || !is_on_side(f, SIDES[i])) continue;
         Vec3 pole = vec_sub(vec4_project(corner(p, SIDES[i])), o);
         *side = SIDES[i];
-        if (hypot(vec_dot(r->n1, pole), vec_dot(r->n2, pole)) <= patch_rounding(p, o)) return true;
+        if (largest(vec_dot(r->n1, pole), vec_dot(r->n2, pole)) <= patch_rounding(p, o)) return true;
     }
     return false;
 }
@@ -65,9 +67,9 @@ bool pole_has_all(View *v, PoleSide side, double error)
             const Vec4 *f = coefficient(v, side, i, j);
             w_max = double_max(w_max, f->w);
             if (j > 0) least = double_min(least, (e.x * f->x + e.y * f->y) * n / j);
-            else if (hypot(f->x, f->y) > 2 * error * f->w) return false;
+            else if (largest(f->x, f->y) > 2 * error * f->w) return false;
         }
-    double part = 3 * error * w_max / least;
+    double part = 4 * error * w_max / least;
     if (!(least > 0 && part < POLE_MOST)) return false;
     part = double_max(part, POLE_LEAST);
     view_restrict(v, !side.is_t, side.is_end ? (Range){ 1 - part, 1 } : (Range){ 0, part });

@@ -70,6 +70,15 @@ View view_of_tile(Arena *scratch, const Tile *f, const PatchRay *r)
     return v;
 }
 
+View view_of_tile_in_haste(Arena *scratch, const Tile *f, const PatchRay *r)
+{
+    View v = view_of(scratch, f->patch, r);
+    view_extent(&v);
+    view_restrict(&v, true, (Range){ f->s0, f->s0 + f->ds });
+    view_restrict(&v, false, (Range){ f->t0, f->t0 + f->dt });
+    return v;
+}
+
 /* ---- bounds ---- */
 
 static double size_over_weight(const View *v)

@@ -25,9 +25,10 @@ typedef struct {
 
 typedef struct { double lo, hi; } Range;
 
-/* The whole patch, and a tile of it; the memory comes from `scratch`. */
+/* The whole patch; a tile of it; and that with more roundings, for less time. The memory comes from `scratch`. */
 View view_of(Arena *scratch, const Patch *p, const PatchRay *r);
 View view_of_tile(Arena *scratch, const Tile *tile, const PatchRay *r);
+View view_of_tile_in_haste(Arena *scratch, const Tile *tile, const PatchRay *r);
 View view_copy(Arena *scratch, const View *v);
 
 /* To the part [lo, hi] of the box, along s or along t; v->size must be set. Ends that stay keep their bits. */

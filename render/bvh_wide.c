@@ -122,6 +122,7 @@ ALWAYS_INLINE unsigned mask_of(V8i truth)
 ALWAYS_INLINE void prefetch(const WideBvh *b, uint32_t child)
 {
     bool is_item = child & IS_ITEM;
+    if (is_item && !b->items) return;
     const char *from = is_item ? b->items + (child & ~IS_ITEM) * b->item_size : (const char *)&b->nodes[child];
     size_t size = is_item ? b->item_size : sizeof(WideNode);
     for (size_t at = 0; at < size; at += 64) __builtin_prefetch(from + at);

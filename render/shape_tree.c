@@ -115,7 +115,7 @@ static Item item_at(const ShapeTree *tree, uint32_t i, const Trace *t)
 {
     if (!tree->joined) return (Item){ i, ALL_OF_IT, NULL };
     Item item = tree->items[i];
-    if (t->fetches_ahead) __builtin_prefetch(item.at), __builtin_prefetch((const char *)item.at + 64);
+    if (t->fetches_ahead && item.at) __builtin_prefetch(item.at), __builtin_prefetch((const char *)item.at + 64);
     return item;
 }
 

@@ -161,16 +161,16 @@ static bool model_field(Arena *a, Model *m, long n)
     return true;
 }
 
-/* A third is cut away, by as many holes as make each of at most a thousand pieces, and more than one from 100 pieces on. */
+/* A third is cut away, by the same four holes of however many pieces: as many rays hit. */
 static bool model_trims(Arena *a, Model *m, long n_pieces)
 {
-    int rows = n_pieces < 100 ? 1 : n_pieces < 10000 ? 2 : n_pieces < 1000000 ? 10 : 32;
-    long pieces = n_pieces / (rows * rows);
+    enum { ROWS = 2 };
+    long pieces = (n_pieces + ROWS * ROWS - 1) / (ROWS * ROWS);
     if (pieces < 3) return false;
     TestRandom r = test_random(10);
     SurfaceDesc *s = ARENA_NEW(a, SurfaceDesc);
     *s = surface_of(a, 4, 7, bumpy_net(a, &r, 7, vec(0, 0, 0), 10, 1));
-    punch(a, s, rows, rows, sqrt(1 / (3 * M_PI)) * 4 / rows, (int)pieces);
+    punch(a, s, ROWS, ROWS, sqrt(1 / (3 * M_PI)) * 4 / ROWS, (int)pieces);
     m->surfaces = s, m->n = 1;
     return true;
 }

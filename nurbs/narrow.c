@@ -188,8 +188,8 @@ static bool is_monotone(const View *v, Combination g)
 static ViewPart narrow_by_turning(const View *v, const Mean *m, double error, Arena *scratch, double *across)
 {
     double xx = m->x_s * m->x_s + m->x_t * m->x_t, yy = m->y_s * m->y_s + m->y_t * m->y_t;
-    double angle = 0.5 * atan2(2 * (m->x_s * m->y_s + m->x_t * m->y_t), xx - yy), c = cos(angle), s = sin(angle);
-    Combination along = combine(v, c, s, error, scratch), beside = combine(v, -s, c, error, scratch);
+    Vec2 axis = vec2_longer_axis(xx, m->x_s * m->y_s + m->x_t * m->y_t, yy);
+    Combination along = combine(v, axis.x, axis.y, error, scratch), beside = combine(v, -axis.y, axis.x, error, scratch);
     if (is_monotone(v, along)) *across = largest(v, beside);
     return meet_parts(narrow_by(v, along), narrow_by(v, beside));
 }

@@ -6,7 +6,6 @@
  * the weight in either equation, and F is off by as much once: so there is no root where t m is more than four times that. */
 #include "nurbs/pole.h"
 
-#include <float.h>
 #include <math.h>
 
 static const PoleSide SIDES[4] = { { false, false }, { false, true }, { true, false }, { true, true } };

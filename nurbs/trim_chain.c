@@ -28,8 +28,7 @@ static Vec2 main_axis(const Vec2 *p, int n)
         double dx = p[i].x - x, dy = p[i].y - y;
         xx += dx * dx, xy += dx * dy, yy += dy * dy;
     }
-    double angle = atan2(2 * xy, xx - yy) / 2;
-    return vec2(cos(angle), sin(angle));
+    return vec2_longer_axis(xx, xy, yy);
 }
 
 static void widen(TrimStrip *s, Vec2 p, double by)

@@ -162,9 +162,9 @@ static Vec2 best_slant(const View *v)
 {
     ViewPoint m = view_point(v, 0.5, 0.5);
     double xx = m.x.by_s * m.x.by_s + m.x.by_t * m.x.by_t, yy = m.y.by_s * m.y.by_s + m.y.by_t * m.y.by_t;
-    double angle = 0.5 * atan2(2 * (m.x.by_s * m.y.by_s + m.x.by_t * m.y.by_t), xx - yy), c = cos(angle), s = sin(angle);
-    double by_s = c * m.x.by_s + s * m.y.by_s, by_t = c * m.x.by_t + s * m.y.by_t;
-    return vec2_scale(vec2(c, s), (by_s * m.z.by_s + by_t * m.z.by_t) / (by_s * by_s + by_t * by_t));
+    Vec2 axis = vec2_longer_axis(xx, m.x.by_s * m.y.by_s + m.x.by_t * m.y.by_t, yy);
+    double by_s = axis.x * m.x.by_s + axis.y * m.y.by_s, by_t = axis.x * m.x.by_t + axis.y * m.y.by_t;
+    return vec2_scale(axis, (by_s * m.z.by_s + by_t * m.z.by_t) / (by_s * by_s + by_t * by_t));
 }
 
 static double length_of(Range r) { return r.hi - r.lo; }

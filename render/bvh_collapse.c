@@ -33,10 +33,11 @@ typedef struct {
 typedef struct { uint32_t node; int of_part; } Child;
 #define ALL_OF_IT (-1)
 
+static uint32_t item_of(const Collapse *c, const BvhNode *leaf) { return c->items ? c->items[leaf->first] : leaf->first; }
+
 static const WideBvh *part_of(const Collapse *c, const BvhNode *n)
 {
-    if (!c->parts || !n->n_items) return NULL;
-    return c->parts[c->items ? c->items[n->first] : n->first];
+    return c->parts && n->n_items ? c->parts[item_of(c, n)] : NULL;
 }
 
 /* ---- choosing ---- */
@@ -44,9 +45,10 @@ static const WideBvh *part_of(const Collapse *c, const BvhNode *n)
 /* Of a leaf: an item costs nothing; a part costs its root, unless that has no more children than may stand there. */
 static void cut_leaf(const WideBvh *part, float area, Cut *out)
 {
+    bool has_root = part && !part->is_single;
     for (uint32_t j = 1; j <= WIDTH; j++) {
-        bool is_opened = part && !part->is_single && part->nodes[0].n_children <= j;
-        out->cost[j] = part && !part->is_single && !is_opened ? area : 0;
+        bool is_opened = has_root && part->nodes[0].n_children <= j;
+        out->cost[j] = has_root && !is_opened ? area : 0;
         out->of_first[j] = is_opened;
     }
 }
@@ -124,7 +126,7 @@ static uint32_t copy_part(Collapse *c, const WideBvh *part, uint32_t from, uint3
 
 static uint32_t item_child(Collapse *c, const BvhNode *n)
 {
-    uint32_t i = c->items ? c->items[n->first] : n->first;
+    uint32_t i = item_of(c, n);
     if (!c->parts) return IS_ITEM | i;
     const WideBvh *part = c->parts[i];
     if (!part) return IS_ITEM | c->first_item[i];
@@ -150,7 +152,7 @@ static uint32_t collapse(Collapse *c, uint32_t from);
 static uint32_t open_part(Collapse *c, uint32_t at, uint32_t i, const BvhNode *n)
 {
     const WideBvh *part = part_of(c, n);
-    uint32_t first_item = c->first_item[c->items ? c->items[n->first] : n->first], base = copy_part(c, part, 1, first_item);
+    uint32_t first_item = c->first_item[item_of(c, n)], base = copy_part(c, part, 1, first_item);
     const WideNode *root = &part->nodes[0];
     for (uint32_t k = 0; k < root->n_children; k++) {
         take_box(&c->wide[at], i + k, root, (int)k);

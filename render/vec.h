@@ -51,6 +51,12 @@ static inline Vec2 vec2_scale(Vec2 a, double s) { return vec2(a.x * s, a.y * s);
 static inline double vec2_dot(Vec2 a, Vec2 b) { return a.x * b.x + a.y * b.y; }
 static inline double vec2_cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
 static inline double vec2_length(Vec2 a) { return hypot(a.x, a.y); }
+/* The longer axis, of length 1, of the symmetric matrix (xx, xy; xy, yy): its eigenvector of the greater eigenvalue. */
+static inline Vec2 vec2_longer_axis(double xx, double xy, double yy)
+{
+    double angle = 0.5 * atan2(2 * xy, xx - yy);
+    return vec2(cos(angle), sin(angle));
+}
 
 static inline Vec4 vec4(double x, double y, double z, double w) { return (Vec4){ x, y, z, w }; }
 static inline Vec4 vec4_add(Vec4 a, Vec4 b) { return vec4(a.x + b.x, a.y + b.y, a.z + b.z, a.w + b.w); }

@@ -65,7 +65,6 @@ static void a_cell_says_what_the_tree_says(void **state)
           "%d kept, %d cut, %d mixed", count[TRIM_KEPT], count[TRIM_CUT], count[TRIM_MIXED]);
 }
 
-/* Where the rectangle's sides run through vertices and along pieces, and rows of vertices through the rectangle. */
 static double some_ulps_from(double x, int n)
 {
     for (; n > 0; n--) x = nextafter(x, 2);
@@ -98,6 +97,7 @@ static void a_cell_that_ends_beside_a_turn_says_what_the_tree_says(void **state)
     assert_true(count[TRIM_MIXED] > 10000);
 }
 
+/* Where the rectangle's sides run through vertices and along pieces, and rows of vertices through the rectangle. */
 static void a_cell_of_a_lattice_says_what_the_tree_says(void **state)
 {
     (void)state;

@@ -37,16 +37,6 @@ PatchRay patch_ray(Vec3 origin, Vec3 dir, double t_min, double t_max)
 
 /* ---- rounding ---- */
 
-/* That the planes' normals are not perpendicular to the ray, times 2^53: 1 for the direction's coordinates (vec_normalize
- * has two roundings, the first is common to all), 4.5 for those of patch_ray, 9 since it takes the direction for a unit
- * vector, whose length is off by 4.5: 1.5 of the sum of squares, 1 each of the root, the inverse and the product. The
- * depth's are fewer: 4.5 of this, 3.5 of the length that t is in units of, 1 of its own quotient. */
-#define ROUNDINGS_OF_FRAME 15
-
-/* Two dot products with unit vectors have 3 roundings each, of sums of sizes that Cauchy's inequality bounds by the other
- * vector's length: sqrt 2 times 3. */
-#define ROUNDINGS_OF_DOTS 5
-
 /* The ray's origin is taken about the tree's base and then about the patch's. (What the first rounds beyond u of the
  * distance is in the patch's own: tile_tree.c.) */
 #define ROUNDINGS_OF_ORIGIN 2
@@ -56,7 +46,7 @@ PatchRay patch_ray(Vec3 origin, Vec3 dir, double t_min, double t_max)
  * another. */
 ALWAYS_INLINE double rounding_at(const Patch *p, double distance)
 {
-    double n = p->roundings + (ROUNDINGS_OF_FRAME + 2 * ROUNDINGS_OF_DOTS + ROUNDINGS_OF_ORIGIN);
+    double n = p->roundings + (VIEW_FRAME_ROUNDINGS + 2 * VIEW_DOT_ROUNDINGS + ROUNDINGS_OF_ORIGIN);
     return p->rounding + 0.5 * DBL_EPSILON * n * (p->radius + distance);
 }
 

@@ -12,13 +12,23 @@
 #include <stdint.h>
 
 /* How far beyond [0, 1] the frame's bounds still hold: a root that Newton finds just outside the tile proves that there is
- * none inside, if the map is one-to-one on the larger square. A sixteenth is room for an
- * iterate that overshoots, and what varies with the distance varies by an eighth more over the larger square. */
+ * none inside, if the map is one-to-one on the larger square. A sixteenth is room for an iterate that overshoots, and what
+ * varies with the distance varies by an eighth more over the larger square. */
 #define TILE_MARGIN PATCH_MARGIN
 
-/* What is rounded when a ray looks at the half-vectors, of 2^-53 of their lengths: 15 since its planes are not quite
- * perpendicular, 5 of two dot products (certify.c has both), 2 of a determinant with them. */
-#define TILE_VIEW_ROUNDINGS 22
+/* A ray looks at a surface as two planes (certify.h). That their normals are not perpendicular to it, times 2^53: 1 for the
+ * direction's coordinates (vec_normalize has two roundings, the first is common to all), 4.5 for those of patch_ray, 9 since
+ * it takes the direction for a unit vector, whose length is off by 4.5: 1.5 of the sum of squares, 1 each of the root, the
+ * inverse and the product. The depth's are fewer: 4.5 of this, 3.5 of the length that t is in units of, 1 of its own
+ * quotient. */
+#define VIEW_FRAME_ROUNDINGS 15
+
+/* Two dot products with unit vectors have 3 roundings each, of sums of sizes that Cauchy's inequality bounds by the other
+ * vector's length: sqrt 2 times 3. */
+#define VIEW_DOT_ROUNDINGS 5
+
+/* What is rounded when a ray looks at the half-vectors, of 2^-53 of their lengths: these, and 2 of a determinant. */
+#define TILE_VIEW_ROUNDINGS (VIEW_FRAME_ROUNDINGS + VIEW_DOT_ROUNDINGS + 2)
 
 /* The variation is at least this. So a determinant of the half-vectors that proves anything is more than 2^-38 of their
  * lengths' product, and its own roundings, 2 of 2^-53, are less than 2^-14 of it. */

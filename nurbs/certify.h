@@ -19,8 +19,8 @@ typedef struct {
     double guess_s, guess_t;
 } PatchRay;
 
-/* A norm that proves one root must be below 1; this leaves room for its own rounding, which is below 2^-13 (a tile's
- * determinant has 2^-14: TILE_LEAST_VARIATION), and for a useful bound on the way there. */
+/* A norm that proves one root must be below 1; this leaves room for its own rounding, which is below 2^-13, and for a useful
+ * bound on the way there. */
 #define CONTRACTION 0.98
 
 /* Newton's step that is shorter than this share of the patch or box is the last: the next error is about its square. */

@@ -101,7 +101,7 @@ static bool take_nearest(Search *k, const Root *root, const CertainHit *hit)
     k->nearest = *hit;
     k->ray.t_max = root->depth;
     *k->t_max = hit->t;
-    t->root.leaf = hit->part, t->root.s = root->s, t->root.t = root->t, t->root.seed = t->seed;
+    t->root.patch = hit->part->patch, t->root.s = root->s, t->root.t = root->t, t->root.seed = t->seed;
     return false;
 }
 
@@ -148,8 +148,7 @@ static inline bool set_ray(Search *k, const Ray *r, double t_max, Trace *t)
     k->length = use_frame(r, t);
     k->ray = (PatchRay){ .origin = vec_sub(r->origin, k->tree->base), .d = t->frame.d, .n1 = t->frame.n1, .n2 = t->frame.n2,
                          .t_min = r->t_min * k->length, .t_max = t_max * k->length,
-                         .guess = t->root.seed == t->seed ? t->root.leaf : NULL,
-                         .guess_s = t->root.s, .guess_t = t->root.t };
+                         .from = t->root.seed == t->seed ? t->root.patch : NULL, .from_s = t->root.s, .from_t = t->root.t };
     return true;
 }
 

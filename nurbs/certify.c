@@ -255,6 +255,45 @@ ALWAYS_INLINE NewtonResult newton(Solve *k, Trace *trace)
  * refines across the ray alone. */
 #define WORTH_HALVING 4096
 
+/* ---- where the ray starts ---- */
+
+/* Is the point that the ray may be from on the tile, with its margin? Sets s and t of the tile: exact, s0 being no other
+ * multiple of ds than one beside it. */
+ALWAYS_INLINE bool is_from(const Tile *f, const PatchRay *r, double *s, double *t)
+{
+    if (r->from != f->patch) return false;
+    TilePlace at = tile_place(f);
+    *s = (r->from_s - at.s0) / at.ds, *t = (r->from_t - at.t0) / at.dt;
+    return *s >= -TILE_MARGIN && *s <= 1 + TILE_MARGIN && *t >= -TILE_MARGIN && *t <= 1 + TILE_MARGIN;
+}
+
+/* Does the ray start above a point X of the tile, to the side that it leaves for, so that it cannot meet the tile?
+ *
+ * X = S(x_g). The numerator about X vanishes at x_g, so that at x it is 2 w_middle (F + E)(x - x_g), F being the half-vectors
+ * over their lengths. The chord S(x) - X rises from the frame's plane by at most turn sigma |x - x_g|, and goes along it by
+ * at least (1 - stretch) sigma |x - x_g|, both times 2 w_middle / w: no chord is steeper than turn / (1 - stretch). What is
+ * steeper, on one side of the plane, is convex: if the start seen from X is, and the direction, all of the ray is, and none
+ * of it on the tile.
+ *
+ * The start seen from X is `off` by the rounding of X, of the start and of their difference, and where the surface is
+ * otherwise than the patch has it. For the direction, whose rounding is less than CONTRACTION leaves room for, a slope of
+ * turn / (CONTRACTION - stretch) stands for the steepest chord's; `steepest` is its sine. */
+ALWAYS_INLINE bool leaves_tile(const Tile *f, const PatchRay *r)
+{
+    double s, t;
+    if (!is_from(f, r, &s, &t) || !(f->stretch < CONTRACTION)) return false;
+    const Patch *p = f->patch;
+    Vec3 normal = vec_cross(tile_vec(f->half_s), tile_vec(f->half_t)), o = vec_sub(r->origin, p->origin);
+    double along = vec_dot(normal, r->d), area = (double)f->sine * f->length_s * f->length_t;
+    double room = CONTRACTION - f->stretch, turn2 = (double)f->turn * f->turn, steepest2 = turn2 / (turn2 + room * room);
+    if (!(along * along > steepest2 * area * area)) return false;
+    V4 x = kernel_evaluate(p, r->from_s, r->from_t).value;
+    Vec3 start = vec_add(vec_sub(o, vec_scale(vec(x[0], x[1], x[2]), 1 / x[3])), vec_scale(r->d, r->t_min));
+    double off = rounding_at(p, p->radius + fabs(o.x) + fabs(o.y) + fabs(o.z) + fabs(r->t_min));
+    double rise = copysign(1, along) * vec_dot(normal, start);
+    return rise > area * (sqrt(steepest2 * vec_length2(start)) + 2 * off);
+}
+
 typedef enum { FRAME_MISS, FRAME_ONE_AT_MOST, FRAME_UNDECIDED, FRAME_HOPELESS } FrameResult;
 
 /* What the frame says; sets s and t to the parallelogram's root, within the margin. */
@@ -304,8 +343,8 @@ ALWAYS_INLINE bool solve_one(Solve *k, RootVisit visit, void *context, Trace *tr
     set_to_ray(k);
     k->part = kernel_part(f);
     k->least_step2 = least_step2(k);
-    TilePlace at = k->part.at;
-    if (k->r->guess == f) k->s = (k->r->guess_s - at.s0) / at.ds, k->t = (k->r->guess_t - at.t0) / at.dt;
+    double from_s, from_t;
+    if (is_from(f, k->r, &from_s, &from_t)) k->s = from_s, k->t = from_t;
     switch (newton(k, trace)) {
     case NEWTON_INSIDE: return report(k, visit, context);
     case NEWTON_OUTSIDE: return false;
@@ -316,6 +355,7 @@ ALWAYS_INLINE bool solve_one(Solve *k, RootVisit visit, void *context, Trace *tr
 
 ALWAYS_INLINE FrameResult meet_tile(Solve *k, const Tile *tile, PatchRay *r)
 {
+    if (leaves_tile(tile, r)) return FRAME_MISS;
     k->tile = tile, k->p = tile->patch, k->r = r;
     return set_up(k) ? frame_test(k) : FRAME_MISS;
 }

@@ -363,7 +363,7 @@ ALWAYS_INLINE FrameResult meet_tile(Solve *k, const Tile *tile, PatchRay *r)
 /* How often both halves of a tile may be in doubt on the way down. One half alone shows that halving leads somewhere: to a
  * near miss, or to two roots that part. Where both are in doubt again and again the ray keeps to the surface along a whole
  * line, as many tiles as there are would be met, and clip.c, which refines across the ray, is faster. */
-#define DOUBTS 4
+#define DOUBTS 6
 
 typedef struct { const Tile *tile; int doubts; } Doubt;
 

@@ -28,7 +28,8 @@ static Vec2 step_along(const Tile *f, Vec3 d)
     Vec3 a = tile_vec(f->half_s), b = tile_vec(f->half_t);
     double aa = vec_dot(a, a), ab = vec_dot(a, b), bb = vec_dot(b, b), ad = vec_dot(a, d), bd = vec_dot(b, d);
     double det = 2 * (aa * bb - ab * ab);
-    return vec2(f->ds * (bb * ad - ab * bd) / det, f->dt * (aa * bd - ab * ad) / det);
+    TilePlace at = tile_place(f);
+    return vec2(at.ds * (bb * ad - ab * bd) / det, at.dt * (aa * bd - ab * ad) / det);
 }
 
 /* Roundings of a parameter that patch_u or patch_v computes, of its interval's larger end: two of the place in the patch,
@@ -62,8 +63,9 @@ static bool keeps_along(const TrimTree *trims, Vec2 at, Vec2 half, Vec2 wide, in
 static bool is_near_trim(const TrimTree *trims, const Tile *f, Vec3 d, const Root *root, double u, double v)
 {
     double w_u = f->patch->u1 - f->patch->u0, w_v = f->patch->v1 - f->patch->v0;
-    double du = root->beside * f->ds * w_u / (2.0 * f->length_s) + last_bits(f->patch->u0, f->patch->u1);
-    double dv = root->beside * f->dt * w_v / (2.0 * f->length_t) + last_bits(f->patch->v0, f->patch->v1);
+    TilePlace at = tile_place(f);
+    double du = root->beside * at.ds * w_u / (2.0 * f->length_s) + last_bits(f->patch->u0, f->patch->u1);
+    double dv = root->beside * at.dt * w_v / (2.0 * f->length_t) + last_bits(f->patch->v0, f->patch->v1);
     Vec2 along = vec2_scale(step_along(f, d), root->depth_error);
     return keeps_along(trims, vec2(u, v), vec2(along.x * w_u, along.y * w_v), vec2(du, dv), MAX_CUTS_ALONG);
 }
@@ -99,7 +101,7 @@ static bool take_nearest(Search *k, const Root *root, const CertainHit *hit)
     k->nearest = *hit;
     k->ray.t_max = root->depth;
     *k->t_max = hit->t;
-    t->root.leaf = hit->part, t->root.s = root->s, t->root.t = root->t, t->root.seed = t->seed;
+    t->root.patch = hit->part->patch, t->root.s = root->s, t->root.t = root->t, t->root.seed = t->seed;
     return false;
 }
 
@@ -146,8 +148,7 @@ static inline bool set_ray(Search *k, const Ray *r, double t_max, Trace *t)
     k->length = use_frame(r, t);
     k->ray = (PatchRay){ .origin = vec_sub(r->origin, k->tree->base), .d = t->frame.d, .n1 = t->frame.n1, .n2 = t->frame.n2,
                          .t_min = r->t_min * k->length, .t_max = t_max * k->length,
-                         .guess = t->root.seed == t->seed ? t->root.leaf : NULL,
-                         .guess_s = t->root.s, .guess_t = t->root.t };
+                         .from = t->root.seed == t->seed ? t->root.patch : NULL, .from_s = t->root.s, .from_t = t->root.t };
     return true;
 }
 

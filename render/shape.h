@@ -26,9 +26,9 @@ typedef struct {
     Blockers blockers;
     /* The frame of the last direction, for shapes that see a ray as two planes: unit d, perpendicular unit n1 and n2. */
     struct { Vec3 dir; double length; Vec3 d, n1, n2; } frame;
-    /* The last root that was accepted: where rays that leave from it find their own surface again. It counts only while
-     * `seed` is the same, so that no pixel depends on another. */
-    struct { const void *leaf; double s, t; uint64_t seed; } root;
+    /* The last root that was accepted, by its patch: rays that leave from it find their own surface again there, or are sure
+     * not to. It counts only while `seed` is the same, so that no pixel depends on another. */
+    struct { const void *patch; double s, t; uint64_t seed; } root;
 } Trace;
 
 typedef struct HitList HitList;     /* all hits of a ray in order of t, for CSG */

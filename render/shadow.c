@@ -30,16 +30,23 @@ static Rgb through_map(const Surface *blocker, Rgb light)
     return sum;
 }
 
+/* What a hit does to light: where its texture is the same everywhere and on either side, that is all there is to know. */
+static Rgb through_surface(const Scene *s, const Ray *r, const Hit *h, float caustics, Rgb light)
+{
+    const Object *o = hit_textured_object(h);
+    Surface blocker = { .texture = o ? o->texture : NULL };
+    bool is_alike = o && o->is_even && !o->interior_texture && !(caustics > 0);
+    if (!is_alike) surface_at(s, r, h, &blocker);
+    light = through_layers(&blocker, light);
+    return caustics > 0 ? rgb_scale(light, 1 + pow(blocker.cos_view, 45 * (double)caustics)) : light;
+}
+
 /* Light goes straight on through glass; `caustics` imitates the bundling by a lens. */
 static Rgb past_blocker(const Shadow *q, const Ray *r, const Hit *h, const Medium **media, Rgb light)
 {
-    Surface blocker;
-    surface_at(q->around->scene, r, h, &blocker);
-    light = through_layers(&blocker, light);
     const Interior *interior = hit_interior(h);
+    light = through_surface(q->around->scene, r, h, interior ? interior->caustics : 0, light);
     if (!interior) return light;
-    if (interior->caustics > 0)
-        light = rgb_scale(light, 1 + pow(blocker.cos_view, 45 * (double)interior->caustics));
     if (!interior_fades(interior) || !(interior->fade_power > 0)) return light;
     Crossing c = media_cross(q->around, *media, h);
     *media = c.after;

@@ -25,6 +25,7 @@ typedef struct {
 
 Film *film_new(int width, int height);    /* NULL: no memory */
 void film_free(Film *f);
+void film_set(Film *f, int x0, int y0, int x1, int y1, const FilmPixel *pixels);   /* [x0, x1) x [y0, y1), row by row */
 
 /* Encodes one channel by the scene's gamma (POV-Ray's rule): 0 .. max. */
 uint16_t film_sample(double working, GammaKind gamma, double gamma_power, int max);
@@ -45,7 +46,8 @@ typedef struct {
 FilmCurve film_curve(GammaKind gamma, double gamma_power, int max);
 uint16_t film_curve_sample(const FilmCurve *c, double working);   /* film_sample(working, ...) */
 
-/* One row as a file wants it: 3 samples a pixel, or 4, not premultiplied, with alpha; returns how many. */
+/* Pixels, or one row, as a file wants them: 3 samples a pixel, or 4, not premultiplied, with alpha; returns how many. */
+int film_encode(const FilmPixel *pixels, int n, const FilmCurve *curve, bool alpha, uint16_t *out);
 int film_row(const Film *f, int y, const FilmCurve *curve, bool alpha, uint16_t *out);
 
 /* Between the working space (assumed_gamma) and linear light, for the colours of pictures and of `srgb`. */

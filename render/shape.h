@@ -48,6 +48,7 @@ typedef struct {
     const Bvh *(*lend)(Shape *s, Arena *own, Trace *t);
     bool (*hit_item)  (const Shape *s, uint32_t item, const Ray *r, Hit *best, Trace *t);
     bool (*item_blocks)(const Shape *s, uint32_t item, const Ray *r, double t_max, Trace *t);
+    const Shape *(*bare)(const Shape *s);   /* what answers blocks() and item_blocks() in its place; NULL: itself */
     void (*all_hits)  (const Shape *s, const Ray *r, HitList *out, Trace *t); /* appends, by t; NULL: hit() repeated */
     bool (*inside)    (const Shape *s, Vec3 p);                               /* NULL: a surface without an inside */
     Box  (*inside_bounds)(const Shape *s);                                    /* of all that is inside; NULL: bounds() */
@@ -88,13 +89,32 @@ void shape_prepare_in(Shape *s, Arena *own, Trace *t);
 typedef void ShapeWork(void *context, uint32_t i, Arena *own, Trace *t);
 void shape_share_work(const Shape *s, Arena *own, uint32_t n, ShapeWork *work, void *context, Trace *t);
 
-bool shape_was_prepared(const Shape *s);       /* did any ray ever reach it? for --stats: what was left out */
+/* Did any ray ever reach it? For --stats, too: what was left out. */
+static inline bool shape_was_prepared(const Shape *s)
+{
+    return atomic_load_explicit(&s->state, memory_order_acquire) == SHAPE_READY;
+}
 void shape_release(Shape *s);                  /* type->release, then the arena of prepare() */
 
-/* The calls through the table: prepare on first use. */
+/* The calls through the table: prepare on first use. Preparing is the one change that a shape makes after it was built, and it
+ * makes it under a lock: callers may keep their shapes const. */
+static inline void shape_be_prepared(const Shape *s, Trace *t)
+{
+    if (!shape_was_prepared(s)) shape_prepare((Shape *)s, t);
+}
+static inline bool shape_hit(const Shape *s, const Ray *r, Hit *best, Trace *t)
+{
+    shape_be_prepared(s, t);
+    return s->type->hit(s, r, best, t);
+}
+bool shape_blocks_by_hit(const Shape *s, const Ray *r, double t_max, Trace *t);   /* of a shape without blocks() */
+static inline bool shape_blocks(const Shape *s, const Ray *r, double t_max, Trace *t)
+{
+    shape_be_prepared(s, t);
+    return s->type->blocks ? s->type->blocks(s, r, t_max, t) : shape_blocks_by_hit(s, r, t_max, t);
+}
+static inline const Shape *shape_bare(const Shape *s) { return s->type->bare ? s->type->bare(s) : s; }
 static inline Box shape_bounds(const Shape *s) { return s->type->bounds(s); }
-bool shape_hit(const Shape *s, const Ray *r, Hit *best, Trace *t);
-bool shape_blocks(const Shape *s, const Ray *r, double t_max, Trace *t);
 static inline bool shape_inside(const Shape *s, Vec3 p) { return s->type->inside && s->type->inside(s, p); }
 static inline Box shape_inside_bounds(const Shape *s)
 {

@@ -6,6 +6,7 @@
 
 typedef struct {
     const Shape *shape;
+    const Shape *bare;         /* what it is to those who only ask whether it blocks */
     uint32_t first_index;      /* primitives of the parts before it */
     uint32_t rank;             /* of two hits at the same t the one of lower rank wins */
     unsigned flags;
@@ -24,6 +25,7 @@ struct ShapeTree {
     Bvh *bvh;                  /* over all parts; the boxes of unbounded ones were given as empty */
     Bvh *joined;               /* with the trees that parts lend in place of their boxes; NULL: none does */
     const Item *items;         /* of `joined` */
+    const Bvh *searched;       /* of the two, for one hit or whether there is any; NULL: there is nothing in it */
     const uint32_t *unbounded;
     uint32_t n_unbounded;
 };
@@ -49,7 +51,7 @@ ShapeTree *shape_tree_build(Arena *a, Shape *const shapes[], const unsigned char
     Arena *scratch = arena_new();
     Box *boxes = ARENA_ARRAY(scratch, Box, n);
     for (uint32_t i = 0; i < n; i++) {
-        parts[i] = (Part){ shapes[i], index, 0, flags ? flags[i] : 0 };
+        parts[i] = (Part){ shapes[i], shape_bare(shapes[i]), index, 0, flags ? flags[i] : 0 };
         index += shapes[i]->n_primitives;
         Box bounds = shape_bounds(shapes[i]);
         boxes[i] = tree_box(bounds);
@@ -59,6 +61,7 @@ ShapeTree *shape_tree_build(Arena *a, Shape *const shapes[], const unsigned char
     tree->parts = parts, tree->n = n;
     tree->unbounded = unbounded;
     tree->bvh = bvh_build(a, boxes, n, BVH_SAH);
+    tree->searched = bvh_node_count(tree->bvh) > 0 ? tree->bvh : NULL;
     arena_free(scratch);
     return tree;
 }
@@ -97,6 +100,7 @@ static void join(ShapeTree *tree, Arena *a, const Lending *k, Arena *scratch)
     tree->items = items;
     tree->joined = bvh_join(a, k->boxes, k->lent, first, tree->n);
     bvh_set_items(tree->joined, items, sizeof *items);
+    tree->searched = tree->joined;
 }
 
 void shape_tree_join(ShapeTree *tree, const Shape *whole, Arena *a, Trace *t)
@@ -108,9 +112,7 @@ void shape_tree_join(ShapeTree *tree, const Shape *whole, Arena *a, Trace *t)
     arena_free(scratch);
 }
 
-/* The tree for one hit, and what its items are. What an item is comes from memory while its shape is looked at. */
-static const Bvh *tree_searched(const ShapeTree *tree) { return tree->joined ? tree->joined : tree->bvh; }
-
+/* An item of the tree that is searched. What it is comes from memory while its shape is looked at. */
 static Item item_at(const ShapeTree *tree, uint32_t i, const Trace *t)
 {
     if (!tree->joined) return (Item){ i, ALL_OF_IT, NULL };
@@ -128,7 +130,7 @@ static bool hit_item(const ShapeTree *tree, Item i, const Ray *r, Hit *best, Tra
 
 static bool item_blocks(const ShapeTree *tree, Item i, const Ray *r, double t_max, Trace *t)
 {
-    const Shape *s = tree->parts[i.part].shape;
+    const Shape *s = tree->parts[i.part].bare;
     return i.item == ALL_OF_IT ? shape_blocks(s, r, t_max, t) : s->type->item_blocks(s, i.item, r, t_max, t);
 }
 
@@ -145,7 +147,7 @@ static bool meet_nearest(Search *s, Item i, const Ray *r, double *t_max, Trace *
     const Part *p = &s->tree->parts[i.part];
     if (p->flags & s->skip) return false;
     double before = s->best->t;
-    if (p->rank < s->best_rank) s->best->t = nextafter(before, INFINITY);
+    if (p->rank < s->best_rank) s->best->t = double_neighbour(before, 1);
     if (!hit_item(s->tree, i, r, s->best, t)) {
         s->best->t = before;
         return false;
@@ -168,7 +170,7 @@ bool shape_tree_hit(const ShapeTree *tree, const Ray *r, unsigned skip, Hit *bes
     double t_max = best->t;
     for (uint32_t i = 0; i < tree->n_unbounded; i++)
         meet_nearest(&s, (Item){ tree->unbounded[i], ALL_OF_IT, NULL }, r, &t_max, t);
-    bvh_traverse(tree_searched(tree), r, &t_max, visit_nearest, &s, t);
+    if (tree->searched) bvh_traverse(tree->searched, r, &t_max, visit_nearest, &s, t);
     return s.best_rank >= 0;
 }
 
@@ -211,7 +213,7 @@ static bool visit_any(void *context, uint32_t i, const Ray *r, double *t_max, Tr
 static bool is_still_blocked(const Search *s, const Ray *r, double t_max, Trace *t)
 {
     uint32_t i = blocker_recall(&t->blockers, s->tree);
-    if (i >= bvh_item_count(tree_searched(s->tree))) return false;
+    if (i == UINT32_MAX || i >= bvh_item_count(s->tree->searched)) return false;
     if (meet_any(s, item_at(s->tree, i, t), r, &t_max, t)) return true;
     blocker_forget(&t->blockers, s->tree);
     return false;
@@ -220,8 +222,8 @@ static bool is_still_blocked(const Search *s, const Ray *r, double t_max, Trace 
 bool shape_tree_blocks(const ShapeTree *tree, const Ray *r, unsigned skip, double t_max, Trace *t)
 {
     Search s = { tree, skip, NULL, -1 };
-    if (is_still_blocked(&s, r, t_max, t)) return true;
+    if (tree->searched && is_still_blocked(&s, r, t_max, t)) return true;
     for (uint32_t i = 0; i < tree->n_unbounded; i++)
         if (meet_any(&s, (Item){ tree->unbounded[i], ALL_OF_IT, NULL }, r, &t_max, t)) return true;
-    return bvh_any(tree_searched(tree), r, t_max, visit_any, &s, t);
+    return tree->searched && bvh_any(tree->searched, r, t_max, visit_any, &s, t);
 }

@@ -18,8 +18,8 @@
  * ray, which is no longer than |v| / |m.d|. Sigma times the larger singular value, of at most sqrt 2, is |half_s x half_t|
  * over the lengths, so that this is at most sqrt 2 length_s length_t / |det C|.
  *
- * C is rounded by less than 2^-48 of the lengths (TILE_VIEW_ROUNDINGS), which counts as part of E. So do C^-1 and det for
- * what they are of C before it was rounded; that changes their bounds by a share of |C^-1| 2^-48, less than 2^-26. */
+ * C is rounded by less than 2^-48 of the lengths (TILE_VIEW_ROUNDINGS), which counts as part of E. That C^-1 and det are of
+ * C as rounded changes their bounds by a share of |C^-1| 2^-48, less than 2^-26 (TILE_LEAST_VARIATION). */
 #include "nurbs/certify.h"
 
 #include "nurbs/clip.h"

@@ -177,7 +177,7 @@ ALWAYS_INLINE void bound_variation(const Source *p, const Vec4 *net, double erro
     stretch = double_max(stretch * ROUNDED_UP + add, TILE_LEAST_VARIATION) * plane.per_sigma;
     if (!(turn < FLT_MAX && stretch < FLT_MAX)) return;
     out->turn = float_up(turn * ROUNDED_UP), out->stretch = float_up(stretch * ROUNDED_UP);
-    out->sine = float_up((plane.sine + (SINE_ROUNDINGS + TILE_VIEW_ROUNDINGS) * unit) * ROUNDED_UP);
+    out->sine = float_up((plane.sine + (SINE_ROUNDINGS + 2 * TILE_VIEW_ROUNDINGS) * unit) * ROUNDED_UP);
 }
 
 /* Sets what holds with the margin, too: the radius, and bound_variation's. */

@@ -31,8 +31,8 @@
 #define TILE_VIEW_ROUNDINGS (VIEW_FRAME_ROUNDINGS + VIEW_DOT_ROUNDINGS + 2)
 
 /* Turn and stretch are at least this (over a sigma of at most 1), and so is the frame's sine. So a contraction proves
- * nothing where the half-vectors' determinant, as the ray sees them, is less than 2^-21 of their lengths' product, and what
- * rounds that by 2^-53 of the product, TILE_VIEW_ROUNDINGS and 2 of its own, is less than 2^-27 of it. */
+ * nothing where the half-vectors' determinant, as the ray sees them, is less than 2^-21 of their lengths' product, and its
+ * rounding, TILE_VIEW_ROUNDINGS for each of them, is less than 2^-26 of it. */
 #define TILE_LEAST_VARIATION 0x1p-20
 
 /* Halving divides the variation of the derivatives by about two. The preparation halves at most this often in either

@@ -109,7 +109,7 @@ static Rgb quotient(Rgb a, Rgb b)
 static void gather(const Shadow *shadow, LayerAt *layers, int n, const Light *l, int quality)
 {
     const Surface *at = shadow->at;
-    bool is_spread = l->is_area && l->area_illumination && quality >= Q_AREA_LIGHTS;
+    bool is_spread = !l->is_plain && l->is_area && l->area_illumination && quality >= Q_AREA_LIGHTS;
     LightAt lit = light_at(l, l->position, at->point);
     bool is_facing = vec_dot(at->normal, lit.direction) >= GRAZING_LIGHT;
     if (!is_facing && !is_spread && !any_lit_from_behind(layers, n) && !is_double_illuminated(at->hit)) return;

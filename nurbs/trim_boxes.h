@@ -18,10 +18,7 @@ TrimBoxes trim_boxes_make(Arena *a, TrimRect *lowest, int n);    /* keeps `lowes
 /* The first box i >= from of level 0 that meets r (closed against closed); -1: none. Logarithmic where r is small. */
 int trim_boxes_next(const TrimBoxes *t, TrimRect r, int from);
 
-static inline TrimRect trim_rect_of(Vec2 a, Vec2 b)               /* corners in any order */
-{
-    return (TrimRect){ double_min(a.x, b.x), double_max(a.x, b.x), double_min(a.y, b.y), double_max(a.y, b.y) };
-}
+TrimRect trim_rect_of(Vec2 a, Vec2 b);                           /* corners in any order */
 TrimRect trim_rect_union(TrimRect a, TrimRect b);
 static inline bool trim_rects_meet(TrimRect a, TrimRect b)
 {

@@ -107,9 +107,10 @@ FilmCurve film_curve(GammaKind gamma, double gamma_power, int max)
     FilmCurve c = { .gamma = gamma, .gamma_power = gamma_power, .max = max };
     if (max != 255) return c;
     for (int i = 1; i < 256; i++) c.step[i] = find_step(&c, i, c.step[i - 1]);
+    c.step[256] = INFINITY;
     uint32_t level = 0;
     for (uint32_t i = 1; i < FILM_N_FIRST; i++) {
-        while (level < 255 && c.step[level + 1] <= float_of((FILM_FIRST + i) << 16)) level++;
+        while (c.step[level + 1] <= float_of((FILM_FIRST + i) << 16)) level++;
         c.first[i] = (uint8_t)level;
     }
     return c;
@@ -119,11 +120,11 @@ uint16_t film_curve_sample(const FilmCurve *c, double working)
 {
     float v = (float)working;
     if (c->max != 255) return film_sample(working, c->gamma, c->gamma_power, c->max);
-    if (!(v > 0)) return 0;               /* NaN, too */
-    if (v >= 1) return 255;
+    v = v > 0 ? v : 0;                    /* NaN becomes 0, too */
+    v = v < 1 ? v : 1;
     uint32_t at = bits_of(v) >> 16;
     int level = c->first[at > FILM_FIRST ? at - FILM_FIRST : 0];
-    while (level < 255 && v >= c->step[level + 1]) level++;
+    while (v >= c->step[level + 1]) level++;
     return (uint16_t)level;
 }
 

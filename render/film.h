@@ -35,12 +35,12 @@ uint16_t film_quantize(double value, int max);
 
 /* film_sample for a whole picture. With max 255 its curve, which rises, is the list of the numbers at which it steps: a
  * sample is a look into `first`, and mostly one comparison. */
-enum { FILM_FIRST = 114 << 7, FILM_N_FIRST = 13 << 7 };   /* the leading 16 bits of floats from 2^-13 to 1 */
+enum { FILM_FIRST = 114 << 7, FILM_N_FIRST = (13 << 7) + 1 };   /* the leading 16 bits of floats from 2^-13 to 1 */
 typedef struct {
     GammaKind gamma;
     double gamma_power;
     int max;
-    float step[256];            /* max 255: the least float that becomes i */
+    float step[257];            /* max 255: the least float that becomes i; no float becomes 256 */
     uint8_t first[FILM_N_FIRST];   /* max 255: what the least float with these leading bits becomes; [0]: from 0 on */
 } FilmCurve;
 FilmCurve film_curve(GammaKind gamma, double gamma_power, int max);

@@ -44,7 +44,7 @@ typedef struct {
 
 enum { FEW_LAYERS = 2 };         /* so many are seen without asking for memory */
 
-static Pixel trace_ray(Tracer *x, const Ray *r, const Path *path);
+static Pixel trace_ray(Tracer *x, Ray *r, const Path *path);
 
 static Rgb pixel_rgb(Pixel p) { return rgb(p.r, p.g, p.b); }
 
@@ -109,7 +109,7 @@ static Rgb quotient(Rgb a, Rgb b)
 static void gather(const Shadow *shadow, LayerAt *layers, int n, const Light *l, int quality)
 {
     const Surface *at = shadow->at;
-    bool is_spread = l->is_area && l->area_illumination && quality >= Q_AREA_LIGHTS;
+    bool is_spread = !l->is_plain && l->is_area && l->area_illumination && quality >= Q_AREA_LIGHTS;
     LightAt lit = light_at(l, l->position, at->point);
     bool is_facing = vec_dot(at->normal, lit.direction) >= GRAZING_LIGHT;
     if (!is_facing && !is_spread && !any_lit_from_behind(layers, n) && !is_double_illuminated(at->hit)) return;
@@ -334,21 +334,22 @@ static void count_ray(Counters *c, RayKind kind)
     if (kind == RAY_TRANSMITTED) c->transmitted_rays++;
 }
 
-/* POV-Ray does not count a ray that goes straight on as a level, but does not let it begin at the last one either. */
-static Pixel trace_ray(Tracer *x, const Ray *ray, const Path *path)
+/* Moves r's beginning past the surface that it has left.
+ *
+ * POV-Ray does not count a ray that goes straight on as a level, but does not let it begin at the last one either. */
+static Pixel trace_ray(Tracer *x, Ray *r, const Path *path)
 {
     const Scene *s = x->scene;
     if (path->level + path->is_straight >= s->max_trace_level || path->weight < s->adc_bailout) return (Pixel){ 0 };
     count_ray(&x->trace->counters, path->kind);
-    Ray r = *ray;
     Hit h;
-    bool is_hit = nearest_hit(x, &r, path, &h);
-    Pixel seen = is_hit ? shade_hit(x, &r, &h, path) : sky_color(s, r.dir);
+    bool is_hit = nearest_hit(x, r, path, &h);
+    Pixel seen = is_hit ? shade_hit(x, r, &h, path) : sky_color(s, r->dir);
     bool has_fog = s->n_fogs > 0 && x->quality >= Q_FOG && media_let_fog_in(media_known(&x->around, path->media));
-    return has_fog ? sky_through_fog(s, &r, h.t, seen) : seen;
+    return has_fog ? sky_through_fog(s, r, h.t, seen) : seen;
 }
 
-Pixel shade_camera_ray(const Scene *s, const Ray *r, int quality, Trace *t)
+Pixel shade_camera_ray(const Scene *s, Ray *r, int quality, Trace *t)
 {
     ArenaMark mark = arena_mark(t->scratch);
     Tracer x = { s, t, quality, { .scene = s, .scratch = t->scratch, .camera = r->origin } };

@@ -181,6 +181,7 @@ static Rgb area_light(const Shadow *q, const Light *l, Rgb color)
 bool shadow_light(const Shadow *q, const Light *l, LightAt *lit)
 {
     q->trace->blockers.aim = l;
+    if (l->is_plain) return light_from(q, &lit->direction, &l->position, &lit->color);
     if (is_black(lit->color)) return false;
     if (l->is_shadowless) return true;
     if (l->is_area && q->has_areas) return lit->color = area_light(q, l, lit->color), true;

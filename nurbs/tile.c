@@ -366,13 +366,13 @@ static pthread_mutex_t halving_lock = PTHREAD_MUTEX_INITIALIZER;
 
 static bool may_be_halved(const Tile *tile)
 {
-    return tile->patch->arena && tile->n_halvings < TILE_MAX_HALVINGS && !(tile->turn + tile->stretch < AS_GOOD_AS_FLAT);
+    return tile->patch->group && tile->n_halvings < TILE_MAX_HALVINGS && !(tile->turn + tile->stretch < AS_GOOD_AS_FLAT);
 }
 
 static const Tile *make_halves(const Tile *tile)
 {
     const Patch *p = tile->patch;
-    Tile *out = ARENA_ARRAY(p->arena, Tile, 2);
+    Tile *out = ARENA_ARRAY(p->group->arena, Tile, 2);
     Vec4 net[NURBS_MAX_ORDER * NURBS_MAX_ORDER], first[NURBS_MAX_ORDER * NURBS_MAX_ORDER];
     TilePlace place = tile_place(tile);
     tile_net(p, place, net);

@@ -98,18 +98,17 @@ static const Shape *object_bare(const Shape *shape)
 
 /* ---- the tree of what is within an object that does not move it ---- */
 
-static const Bvh *object_lend(Shape *shape, Arena *own, Trace *t)
+static const Bvh *object_lend(Shape *shape, Arena *own, Trace *t, const ShapeType **lender)
 {
     const Object *o = (const Object *)shape;
-    return o->is_placed || !o->child->type->lend ? NULL : o->child->type->lend(o->child, own, t);
+    return o->is_placed || !o->child->type->lend ? NULL : o->child->type->lend(o->child, own, t, lender);
 }
 
-static bool object_hit_item(const Shape *shape, uint32_t item, const Ray *r, Hit *best, Trace *t)
+static void object_took(const Shape *shape, const Ray *r, Hit *best)
 {
     const Object *o = (const Object *)shape;
-    if (!o->child->type->hit_item(o->child, item, r, best, t)) return false;
+    if (o->child->type->took) o->child->type->took(o->child, r, best);
     pass(o, r, r, best);
-    return true;
 }
 
 static bool object_inside(const Shape *shape, Vec3 p)
@@ -135,7 +134,7 @@ static uint32_t object_parts(const Shape *shape, Shape *const **list)
 
 static const ShapeType object_type = {
     .name = "object", .bounds = object_bounds, .hit = object_hit, .blocks = object_blocks,
-    .lend = object_lend, .hit_item = object_hit_item, .bare = object_bare,
+    .lend = object_lend, .took = object_took, .bare = object_bare,
     .all_hits = object_all_hits, .inside = object_inside, .inside_bounds = object_inside_bounds, .parts = object_parts,
 };
 

@@ -36,19 +36,22 @@ typedef struct MeshSink MeshSink;   /* receives triangles, for export */
 typedef struct Sdl Sdl;             /* receives scene text, for export */
 typedef struct Bvh Bvh;             /* a tree of boxes */
 
-typedef struct {
+typedef struct ShapeType ShapeType;
+struct ShapeType {
     const char *name;   /* the scene's word, and the key in --stats */
     Box  (*bounds)    (const Shape *s);                                       /* contains every hit; pure; before prepare */
     void (*prepare)   (Shape *s, Arena *own, Trace *t);   /* once, when a first ray reaches the bounds; NULL: nothing */
     bool (*hit)       (const Shape *s, const Ray *r, Hit *best, Trace *t);    /* nearest in (r->t_min, best->t) */
     bool (*blocks)    (const Shape *s, const Ray *r, double t_max, Trace *t); /* any in (r->t_min, t_max); NULL: by hit() */
     /* Its own tree of boxes, to be joined with others into the tree of a compound around it, so that a ray walks one tree
-     * and not two; prepares it, as shape_prepare_in. The compound then asks for its items one by one: as hit() and blocks().
-     * NULL: it has none. */
-    const Bvh *(*lend)(Shape *s, Arena *own, Trace *t);
-    bool (*hit_item)  (const Shape *s, uint32_t item, const Ray *r, Hit *best, Trace *t);
-    bool (*item_blocks)(const Shape *s, uint32_t item, const Ray *r, double t_max, Trace *t);
-    const Shape *(*bare)(const Shape *s);   /* what answers blocks() and item_blocks() in its place; NULL: itself */
+     * and not two; prepares it, as shape_prepare_in. Items are then asked for one by one, of the type that is said to lend
+     * them: as hit() and blocks(), by their number and where they lie (bvh_item), which is all that is read of the shape
+     * unless there is a hit. took() adds what a shape around that type's own has to say of the hit. NULL: nothing; no tree. */
+    const Bvh *(*lend)(Shape *s, Arena *own, Trace *t, const ShapeType **lender);
+    bool (*hit_item)  (const void *at, uint32_t item, const Ray *r, Hit *best, Trace *t);
+    bool (*item_blocks)(const void *at, uint32_t item, const Ray *r, double t_max, Trace *t);
+    void (*took)      (const Shape *s, const Ray *r, Hit *best);
+    const Shape *(*bare)(const Shape *s);   /* what answers blocks() in its place; NULL: itself */
     void (*all_hits)  (const Shape *s, const Ray *r, HitList *out, Trace *t); /* appends, by t; NULL: hit() repeated */
     bool (*inside)    (const Shape *s, Vec3 p);                               /* NULL: a surface without an inside */
     Box  (*inside_bounds)(const Shape *s);                                    /* of all that is inside; NULL: bounds() */
@@ -61,7 +64,7 @@ typedef struct {
     Shape *(*with_parts)(const Shape *s, Arena *a, Shape *const parts[], bool is_inverse, const Xform *moved);
     unsigned (*looks) (const Shape *s);            /* of a primitive's own textures: as object_looks; NULL: it has none */
     void (*release)   (Shape *s);                                             /* NULL: the arenas have it all */
-} ShapeType;
+};
 /* On a miss hit() returns false and has not touched *best. r->dir need not have length 1; t is in units of r->dir.
  * attributes() gets the ray in the space of the shape, and h as hit() left it there. */
 

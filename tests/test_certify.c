@@ -7,12 +7,13 @@
 #include "nurbs/nurbs.h"
 #include "render/hit_list.h"
 
-typedef struct { Arena *arena; Trace trace; } Fixture;
+typedef struct { Arena *arena; PatchGroup group; Trace trace; } Fixture;
 
 static int set_up(void **state)
 {
     static Fixture f;
     f = (Fixture){ .arena = arena_new(), .trace.scratch = arena_new() };
+    f.group.arena = f.arena;
     *state = &f;
     return 0;
 }
@@ -31,7 +32,7 @@ static Tile *rounded_tile(Fixture *f, int k_u, int k_v, Vec4 *p, double error)
     Patch *patch = ARENA_NEW(f->arena, Patch);
     Tile *tile = ARENA_NEW(f->arena, Tile);
     patch_make(f->arena, k_u, k_v, (WideNet){ p, NULL }, error, (TrimRect){ 0, 1, 0, 1 }, patch);
-    patch->arena = f->arena;
+    patch->group = &f->group;
     tile_make(patch, patch->p, (TilePlace){ 0, 0, 1, 1 }, tile);
     return tile;
 }

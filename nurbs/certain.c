@@ -126,9 +126,8 @@ static double use_frame(const Ray *r, Trace *t)
 {
     Vec3 a = r->dir, b = t->frame.dir;
     if (a.x == b.x && a.y == b.y && a.z == b.z) return t->frame.length;
-    PatchRay p = patch_ray(r->origin, vec_normalize(a), 0, 0);
-    t->frame.dir = a, t->frame.length = vec_length(a);
-    t->frame.d = p.d, t->frame.n1 = p.n1, t->frame.n2 = p.n2;
+    t->frame.dir = a, t->frame.length = vec_length(a), t->frame.d = vec_normalize(a);
+    frame_of_direction(t->frame.d, &t->frame.n1, &t->frame.n2);
     return t->frame.length;
 }
 

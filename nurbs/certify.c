@@ -36,10 +36,7 @@ enum { MAX_STEPS = 8 };
 PatchRay patch_ray(Vec3 origin, Vec3 dir, double t_min, double t_max)
 {
     PatchRay r = { .origin = origin, .d = dir, .t_min = t_min, .t_max = t_max };
-    /* an orthonormal basis without a special direction but the sign of z: [DBC17] */
-    double sign = copysign(1, dir.z), a = -1 / (sign + dir.z), b = dir.x * dir.y * a;
-    r.n1 = vec(1 + sign * dir.x * dir.x * a, sign * b, -sign * dir.x);
-    r.n2 = vec(b, sign + dir.y * dir.y * a, -dir.y);
+    frame_of_direction(dir, &r.n1, &r.n2);
     return r;
 }
 

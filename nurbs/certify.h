@@ -26,6 +26,15 @@ typedef struct {
 /* Newton's step that is shorter than this share of the patch or box is the last: the next error is about its square. */
 #define LAST_STEP 0x1p-26
 
+/* Two unit vectors perpendicular to the unit vector d and to each other, with no special direction but the sign of z:
+ * [DBC17]. */
+static inline void frame_of_direction(Vec3 d, Vec3 *n1, Vec3 *n2)
+{
+    double sign = copysign(1, d.z), a = -1 / (sign + d.z), b = d.x * d.y * a;
+    *n1 = vec(1 + sign * d.x * d.x * a, sign * b, -sign * d.x);
+    *n2 = vec(b, sign + d.y * d.y * a, -d.y);
+}
+
 PatchRay patch_ray(Vec3 origin, Vec3 dir, double t_min, double t_max);    /* dir: unit */
 
 typedef struct {

@@ -18,6 +18,7 @@
 typedef struct {
     Arena *scratch;          /* with marks; empty between rays */
     Counters counters;
+    unsigned left_out;       /* see shape_tree_blocks */
     bool is_shadow_ray;      /* set by whoever casts the ray: boxes are counted apart */
     bool measures_time;      /* fill counters.nurbs_seconds: costs two clock reads a test */
     uint64_t seed;           /* of this ray: depends only on (pixel, sample); see hash.h */

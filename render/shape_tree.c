@@ -199,7 +199,10 @@ void shape_tree_all_hits(const ShapeTree *tree, const Ray *r, HitList *out, Trac
 
 static bool meet_any(const Search *s, Item i, const Ray *r, const double *t_max, Trace *t)
 {
-    return !(s->tree->parts[i.part].flags & s->skip) && item_blocks(s->tree, i, r, *t_max, t);
+    unsigned flags = s->tree->parts[i.part].flags;
+    if (!(flags & s->skip)) return item_blocks(s->tree, i, r, *t_max, t);
+    t->left_out |= flags;
+    return false;
 }
 
 static bool visit_any(void *context, uint32_t i, const Ray *r, double *t_max, Trace *t)

@@ -61,10 +61,10 @@ void scene_release(Scene *s);                     /* what prepared shapes hold; 
 typedef enum { RAY_CAMERA, RAY_REFLECTED, RAY_TRANSMITTED } RayKind;
 bool scene_hit(const Scene *s, const Ray *r, RayKind kind, Hit *best, Trace *t);
 
-/* Shadow rays ask for two things. Does anything wholly opaque lie in (r->t_min, t_max)? If not, and only if *may_be_filtered: all
- * that may filter in (r->t_min, out->t_max), appended from near to far. Objects with no_shadow do not count in either.
- * scene_shadow_at says what a hit of the second kind does: an object that filters in one part may be opaque in another, or
- * without shadow. */
+/* Shadow rays ask for two things. Does anything wholly opaque lie in (r->t_min, t_max)? If not, and only if
+ * *may_be_filtered: all that may filter in (r->t_min, out->t_max), appended from near to far. Objects with no_shadow do not
+ * count in either. scene_shadow_at says what a hit of the second kind does: an object that filters in one part may be opaque
+ * in another, or without shadow. */
 bool scene_blocks(const Scene *s, const Ray *r, double t_max, bool *may_be_filtered, Trace *t);
 void scene_filters(const Scene *s, const Ray *r, HitList *out, Trace *t);
 typedef enum { SHADOW_NOTHING, SHADOW_FILTER, SHADOW_BLOCKER } ShadowKind;

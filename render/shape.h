@@ -97,8 +97,8 @@ static inline bool shape_was_prepared(const Shape *s)
 }
 void shape_release(Shape *s);                  /* type->release, then the arena of prepare() */
 
-/* The calls through the table: prepare on first use. Preparing is the one change that a shape makes after it was built, and it
- * makes it under a lock: callers may keep their shapes const. */
+/* The calls through the table: prepare on first use. Preparing is the one change that a shape makes after it was built, and
+ * it makes it under a lock: callers may keep their shapes const. */
 static inline void shape_be_prepared(const Shape *s, Trace *t)
 {
     if (!shape_was_prepared(s)) shape_prepare((Shape *)s, t);

@@ -27,8 +27,8 @@ static Rgb metallic_tint(double metallic, Rgb pigment, double cosine)
     return rgb(1 + share * (pigment.r - 1), 1 + share * (pigment.g - 1), 1 + share * (pigment.b - 1));
 }
 
-/* x^exponent. Highlights mostly have whole exponents, and then it is found by squaring, off by as many roundings as the exponent
- * says, which are nothing beside a step of 1/65535. */
+/* x^exponent. Those of highlights are mostly whole, and then it is found by squaring: off by as many roundings as the
+ * exponent says, 2^-33 of itself at most, which is nothing beside a step of 1/65535. */
 static double power(double x, double exponent)
 {
     static const double MOST = 1 << 20;

@@ -7,7 +7,7 @@
 
 typedef struct PngWriter PngWriter;
 
-PngWriter *png_writer_new(int width, int height, int bits, bool alpha);   /* NULL: no memory. What else fails is told at the end */
+PngWriter *png_writer_new(int width, int height, int bits, bool alpha);   /* NULL: no memory; all else is told at the end */
 void png_writer_free(PngWriter *w);
 
 /* The next n rows, as the file has them: bytes, or big-endian pairs of bytes, 3 or 4 samples a pixel. */

@@ -9,7 +9,7 @@ enum {
     NO_IMAGE = 1,
     NO_REFLECTION = 2,
     NOT_SURELY_OPAQUE = 4,     /* not for the any-hit search of shadow rays */
-    NEVER_FILTERS = 8          /* not among their transparent blockers: opaque, or without shadow */
+    MAY_FILTER = 8             /* among their transparent blockers: neither opaque nor without shadow */
 };
 
 struct SceneTree {
@@ -87,7 +87,7 @@ static unsigned char flags_of(const Object *o, unsigned looks)
     unsigned flags = (o->no_image ? NO_IMAGE : 0u) | (o->no_reflection ? NO_REFLECTION : 0u);
     bool is_mixed = !o->no_shadow && (looks & (LOOKS_CLEAR | LOOKS_NO_SHADOW));
     if (is_mixed || o->no_shadow) flags |= NOT_SURELY_OPAQUE;
-    if (!is_mixed) flags |= NEVER_FILTERS;
+    if (is_mixed) flags |= MAY_FILTER;
     return (unsigned char)flags;
 }
 
@@ -108,7 +108,7 @@ static ShapeTree *tree_of_filters(Arena *a, Shape *const shapes[], const unsigne
     Shape **filters = ARENA_ARRAY(a, Shape *, n);
     uint32_t n_filters = 0;
     for (uint32_t i = 0; i < n; i++)
-        if (!(flags[i] & NEVER_FILTERS)) filters[n_filters++] = shapes[i];
+        if (flags[i] & MAY_FILTER) filters[n_filters++] = shapes[i];
     return n_filters > 0 ? shape_tree_build(a, filters, NULL, n_filters, unbounded_first) : NULL;
 }
 
@@ -128,7 +128,6 @@ void scene_prepare(Scene *s)
     bool unbounded_first = s->n_objects + s->n_lights >= SORTED_FROM;
     s->tree->shapes = shape_tree_build(s->arena, shapes, flags, n, unbounded_first);
     s->tree->filters = tree_of_filters(s->arena, shapes, flags, n, unbounded_first);
-    s->has_filters = s->tree->filters != NULL;
     for (size_t i = 0; i < s->n_lights; i++) s->lights[i].is_plain = light_is_plain(&s->lights[i]);
     s->needs_shadow_rays = lights_cast_shadows(s);
     s->needs_secondary_rays = (all_looks & (LOOKS_CLEAR | LOOKS_REFLECTING)) != 0;
@@ -173,9 +172,12 @@ ShadowKind scene_shadow_at(const Scene *s, const Hit *h)
     return hit_is_opaque(s, h) ? SHADOW_BLOCKER : SHADOW_FILTER;
 }
 
-bool scene_blocks(const Scene *s, const Ray *r, double t_max, Trace *t)
+bool scene_blocks(const Scene *s, const Ray *r, double t_max, bool *may_be_filtered, Trace *t)
 {
-    return shape_tree_blocks(s->tree->shapes, r, NOT_SURELY_OPAQUE, t_max, t);
+    t->left_out = 0;
+    bool is_blocked = shape_tree_blocks(s->tree->shapes, r, NOT_SURELY_OPAQUE, t_max, t);
+    *may_be_filtered = t->left_out & MAY_FILTER;
+    return is_blocked;
 }
 
 void scene_filters(const Scene *s, const Ray *r, HitList *out, Trace *t)

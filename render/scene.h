@@ -44,7 +44,6 @@ typedef struct {
 
     /* Made by scene_prepare: */
     bool needs_shadow_rays, needs_secondary_rays; /* what no light and no texture asks for is left out */
-    bool has_filters;                             /* objects whose shadow may be light */
     struct SceneTree *tree;                       /* the finite objects under one tree, and the others */
 } Scene;
 
@@ -62,11 +61,11 @@ void scene_release(Scene *s);                     /* what prepared shapes hold; 
 typedef enum { RAY_CAMERA, RAY_REFLECTED, RAY_TRANSMITTED } RayKind;
 bool scene_hit(const Scene *s, const Ray *r, RayKind kind, Hit *best, Trace *t);
 
-/* Shadow rays ask for two things. Does anything wholly opaque lie in (r->t_min, t_max)? If not, and only if has_filters: all
- * that may filter in (r->t_min, out->t_max), appended from near to far. Objects with no_shadow do not count in either.
- * scene_shadow_at says what a hit of the second kind does: an object that filters in one part may be opaque in another, or
- * without shadow. */
-bool scene_blocks(const Scene *s, const Ray *r, double t_max, Trace *t);
+/* Shadow rays ask for two things. Does anything wholly opaque lie in (r->t_min, t_max)? If not, and only if
+ * *may_be_filtered: all that may filter in (r->t_min, out->t_max), appended from near to far. Objects with no_shadow do not
+ * count in either. scene_shadow_at says what a hit of the second kind does: an object that filters in one part may be opaque
+ * in another, or without shadow. */
+bool scene_blocks(const Scene *s, const Ray *r, double t_max, bool *may_be_filtered, Trace *t);
 void scene_filters(const Scene *s, const Ray *r, HitList *out, Trace *t);
 typedef enum { SHADOW_NOTHING, SHADOW_FILTER, SHADOW_BLOCKER } ShadowKind;
 ShadowKind scene_shadow_at(const Scene *s, const Hit *h);

@@ -14,7 +14,7 @@ typedef struct {
 } Shadow;
 
 /* Leaves in lit->color (of light_at for the light's own position) what arrives: less what the blockers take. For area lights
- * the mean over the samples, taken adaptively as POV-Ray does. false: nothing. */
+ * the mean over the samples, taken adaptively as POV-Ray does. false: surely nothing. */
 bool shadow_light(const Shadow *q, const Light *l, LightAt *lit);
 
 /* Where sample (i, j) of an area light is, seen from `point`; i < l->area_n_u, j < l->area_n_v. */

@@ -18,6 +18,7 @@
 typedef struct {
     Arena *scratch;          /* with marks; empty between rays */
     Counters counters;
+    unsigned left_out;       /* see shape_tree_blocks */
     bool is_shadow_ray;      /* set by whoever casts the ray: boxes are counted apart */
     bool measures_time;      /* fill counters.nurbs_seconds: costs two clock reads a test */
     uint64_t seed;           /* of this ray: depends only on (pixel, sample); see hash.h */
@@ -99,8 +100,8 @@ static inline bool shape_was_prepared(const Shape *s)
 }
 void shape_release(Shape *s);                  /* type->release, then the arena of prepare() */
 
-/* The calls through the table: prepare on first use. Preparing is the one change that a shape makes after it was built, and it
- * makes it under a lock: callers may keep their shapes const. */
+/* The calls through the table: prepare on first use. Preparing is the one change that a shape makes after it was built, and
+ * it makes it under a lock: callers may keep their shapes const. */
 static inline void shape_be_prepared(const Shape *s, Trace *t)
 {
     if (!shape_was_prepared(s)) shape_prepare((Shape *)s, t);

@@ -202,7 +202,10 @@ void shape_tree_all_hits(const ShapeTree *tree, const Ray *r, HitList *out, Trac
 static bool meet_any(const Search *s, Item i, const Ray *r, const double *t_max, Trace *t)
 {
     const Part *p = &s->tree->parts[i.part];
-    if (s->skip && p->flags & s->skip) return false;
+    if (s->skip && p->flags & s->skip) {
+        t->left_out |= p->flags;
+        return false;
+    }
     if (i.item == ALL_OF_IT) return shape_blocks(p->bare, r, *t_max, t);
     return s->tree->lender->item_blocks(i.at, i.item, r, *t_max, t);
 }

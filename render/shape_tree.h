@@ -20,6 +20,7 @@ void shape_tree_join(ShapeTree *tree, const Shape *whole, Arena *a, Trace *t);
  * primitives of the parts before the one that was hit. */
 bool shape_tree_hit(const ShapeTree *tree, const Ray *r, unsigned skip, Hit *best, Trace *t);
 void shape_tree_all_hits(const ShapeTree *tree, const Ray *r, HitList *out, Trace *t);   /* of all parts */
+/* Adds to t->left_out the flags of parts that are left out: if nothing blocks, of all whose boxes the ray meets. */
 bool shape_tree_blocks(const ShapeTree *tree, const Ray *r, unsigned skip, double t_max, Trace *t);
 
 #endif

@@ -155,8 +155,9 @@ static ShadowKind shadow(const Scene *s, double t_min, double t_max, Hit *h)
     Ray r = along_z;
     r.t_min = t_min;
     HitList filters = hit_list_make(arena, t_max);
-    bool is_blocked = scene_blocks(s, &r, t_max, &t);
+    bool may_be_filtered, is_blocked = scene_blocks(s, &r, t_max, &may_be_filtered, &t);
     scene_filters(s, &r, &filters, &t);
+    CHECK(is_blocked || may_be_filtered || filters.n == 0, "%zu filters that nobody would ask for", filters.n);
     CHECK(t.counters.bv_intersections == 0, "counted as a camera ray");
     for (size_t i = 0; i < filters.n && !is_blocked; i++) {
         *h = filters.hits[i];

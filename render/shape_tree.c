@@ -202,7 +202,8 @@ static bool meet_any(const Search *s, Item i, const Ray *r, const double *t_max,
 {
     const Part *p = &s->tree->parts[i.part];
     if (s->skip && p->flags & s->skip) return false;
-    return i.item == ALL_OF_IT ? shape_blocks(p->shape, r, *t_max, t) : s->tree->lender->item_blocks(i.at, i.item, r, *t_max, t);
+    if (i.item == ALL_OF_IT) return shape_blocks(p->shape, r, *t_max, t);
+    return s->tree->lender->item_blocks(i.at, i.item, r, *t_max, t);
 }
 
 static bool visit_any(void *context, uint32_t i, const Ray *r, double *t_max, Trace *t)

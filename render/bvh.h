@@ -29,8 +29,8 @@ Bvh *bvh_from_tree(Arena *a, const BvhNode *nodes, uint32_t n_nodes);
  * is itself an item. The items of part i become first_item[i], first_item[i] + 1, ... */
 Bvh *bvh_join(Arena *a, const Box *boxes, const Bvh *const parts[], const uint32_t first_item[], uint32_t n);
 
-/* Where the visitor has its items: to be fetched from memory while others are looked at, in this tree and in those that it is
- * joined to. Known for trees by BVH_SAH. */
+/* Where the visitor has its items: to be fetched from memory while others are looked at, in this tree and in those that it
+ * is joined to. Known for trees by BVH_SAH. */
 typedef struct {
     const void *first;             /* of all items, one after the other, */
     size_t size;                   /* so many bytes each */

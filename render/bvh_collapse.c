@@ -183,6 +183,17 @@ static uint32_t collapse(Collapse *c, uint32_t from)
     return at;
 }
 
+/* Room for all nodes of the parts, and one in place of each binary node above them: a list that grows would for a moment
+ * take three times the memory of all. */
+static void make_room(Collapse *c, uint32_t n_nodes)
+{
+    for (uint32_t i = 0; i < n_nodes; i++) {
+        const WideBvh *part = part_of(c, &c->nodes[i]);
+        c->capacity += part ? part->n_nodes : 1;
+    }
+    c->wide = ARENA_ARRAY(c->arena, WideNode, c->capacity);
+}
+
 /* Bytes of nodes. What they lead to is as large again, or more. */
 #define SMALL_TREE ((size_t)1 << 19)
 
@@ -191,6 +202,7 @@ static WideBvh *build(Arena *a, Collapse c, uint32_t n_nodes)
     const BvhNode *nodes = c.nodes;
     c.arena = arena_new();
     c.cuts = ARENA_ARRAY(c.arena, Cut, n_nodes);
+    if (c.parts) make_room(&c, n_nodes);
     find_cuts(&c, 0);
     collapse(&c, 0);
     WideBvh *w = ARENA_NEW(a, WideBvh);

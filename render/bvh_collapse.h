@@ -11,7 +11,7 @@ typedef struct {
     _Alignas(64) float side[2][3][WIDE_WIDTH];  /* lo and hi by axis; children that do not exist: lo +inf, hi -inf */
     uint32_t child[WIDE_WIDTH];    /* a node, or WIDE_IS_ITEM and an item */
     uint32_t n_children, exists;   /* exists: a bit for each */
-    uintptr_t items;               /* where item 0 would lie if all lay as those of the node do, by lent_size; 0: not known */
+    uintptr_t items;               /* where item 0 would be if all lay as the node's do, lent_size apart; 0: not known */
     const char *behind;            /* what is read with the node's items; NULL: not known */
 } WideNode;
 

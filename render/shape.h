@@ -45,9 +45,10 @@ struct ShapeType {
     bool (*hit)       (const Shape *s, const Ray *r, Hit *best, Trace *t);    /* nearest in (r->t_min, best->t) */
     bool (*blocks)    (const Shape *s, const Ray *r, double t_max, Trace *t); /* any in (r->t_min, t_max); NULL: by hit() */
     /* Its own tree of boxes, to be joined with others into the tree of a compound around it, so that a ray walks one tree
-     * and not two; prepares it, as shape_prepare_in. Items are then asked for one by one, of the type that is said to lend
-     * them: as hit() and blocks(), by their number and where they lie (bvh_item), which is all that is read of the shape
-     * unless there is a hit. took() adds what a shape around that type's own has to say of the hit. NULL: nothing; no tree. */
+     * and not two; prepares it, as shape_prepare_in; NULL: it has none. *lender is the type whose items these are: a
+     * shape around another one passes on what that lends. The lender is asked for items one by one, as by hit() and
+     * blocks(), and told their number and where they lie (bvh_item): the shape itself need not be in the cache. took() adds
+     * what shapes around the lender's have to say of a hit; NULL: nothing. */
     const Bvh *(*lend)(Shape *s, Arena *own, Trace *t, const ShapeType **lender);
     bool (*hit_item)  (const void *at, uint32_t item, const Ray *r, Hit *best, Trace *t);
     bool (*item_blocks)(const void *at, uint32_t item, const Ray *r, double t_max, Trace *t);

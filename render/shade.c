@@ -21,6 +21,7 @@ typedef struct {
     Trace *trace;
     int quality;
     Surroundings around;
+    Apex camera;                 /* where camera rays begin */
 } Tracer;
 
 /* How a ray came about. */
@@ -126,11 +127,11 @@ static Rgb lit_by_light(const Shadow *shadow, const LayerAt *layers, int n, cons
     return lit_from(at, layers, n, l, &lit);
 }
 
-static Rgb lit_by_all(Tracer *x, const Surface *at, const LayerAt *layers, int n, const Medium *media)
+static Rgb lit_by_all(Tracer *x, const Surface *at, const LayerAt *layers, int n, const Path *path)
 {
     Rgb sum = rgb(0, 0, 0);
     if (!answers_light(layers, n)) return sum;
-    Shadow shadow = { at, media, &x->around, x->quality >= Q_AREA_LIGHTS, x->trace };
+    Shadow shadow = { at, path->media, &x->around, x->quality >= Q_AREA_LIGHTS, path->kind == RAY_CAMERA, x->trace };
     for (size_t i = 0; i < x->scene->n_lights; i++)
         sum = rgb_add(sum, lit_by_light(&shadow, layers, n, &x->scene->lights[i], x->quality));
     return sum;
@@ -286,7 +287,7 @@ static Pixel shade_texture(Tracer *x, const Surface *at, const Path *path)
     LayerAt few[FEW_LAYERS], *layers = few;
     if (at->texture->n_layers > FEW_LAYERS) layers = ARENA_ARRAY(x->trace->scratch, LayerAt, at->texture->n_layers);
     int n = walk_layers(x, at, path->media, layers, &through);
-    Rgb sum = rgb_add(own_light(x->scene, layers, n), lit_by_all(x, at, layers, n, path->media));
+    Rgb sum = rgb_add(own_light(x->scene, layers, n), lit_by_all(x, at, layers, n, path));
     if (!x->scene->needs_secondary_rays) return (Pixel){ sum.r, sum.g, sum.b, 0 };
     Pixel behind = { 0 };
     double transmit = transmit_of(through);
@@ -322,12 +323,22 @@ static Pixel shade_hit(Tracer *x, const Ray *r, const Hit *h, const Path *path)
     return shade_texture(x, &at, path);
 }
 
-/* The nearest hit. What lies nearer than its own error may be the surface that the ray has just left: the next counts. */
-static bool nearest_hit(const Tracer *x, Ray *r, const Path *path, Hit *h)
+static bool hit_of_camera(Tracer *x, const Ray *r, Hit *h)
 {
+    bool has_apex = x->trace->pencils && x->scene->camera.kind == CAMERA_PERSPECTIVE;
+    x->trace->apex = has_apex ? &x->camera : NULL;
+    bool is_hit = scene_hit(x->scene, r, RAY_CAMERA, h, x->trace);
+    x->trace->apex = NULL;
+    return is_hit;
+}
+
+/* The nearest hit. What lies nearer than its own error may be the surface that the ray has just left: the next counts. */
+static bool nearest_hit(Tracer *x, Ray *r, const Path *path, Hit *h)
+{
+    if (path->kind == RAY_CAMERA) return hit_of_camera(x, r, h);
     for (;;) {
         if (!scene_hit(x->scene, r, path->was_reflected ? RAY_REFLECTED : RAY_CAMERA, h, x->trace)) return false;
-        if (path->kind == RAY_CAMERA || !(h->t <= h->t_error)) return true;
+        if (!(h->t <= h->t_error)) return true;
         r->t_min = h->t;
     }
 }
@@ -356,7 +367,7 @@ static Pixel trace_ray(Tracer *x, const Ray *ray, const Path *path)
 Pixel shade_camera_ray(const Scene *s, const Ray *r, int quality, Trace *t)
 {
     ArenaMark mark = arena_mark(t->scratch);
-    Tracer x = { s, t, quality, { .scene = s, .scratch = t->scratch, .camera = r->origin } };
+    Tracer x = { s, t, quality, { .scene = s, .scratch = t->scratch, .camera = r->origin }, apex_make(r->origin) };
     Path path = { 0, false, 1, RAY_CAMERA, false, MEDIA_OF_CAMERA };
     Pixel seen = trace_ray(&x, r, &path);
     arena_reset(t->scratch, mark);

@@ -171,12 +171,21 @@ static Rgb area_light(const Shadow *q, const Light *l, Rgb color)
     return mean;
 }
 
+static Rgb light_from_point(const Shadow *q, const Light *l, const LightAt *lit)
+{
+    Apex apex = apex_make(l->position);
+    if (q->has_neighbours && q->trace->pencils) q->trace->apex = &apex;
+    Rgb light = light_from(q, &lit->direction, &l->position, lit->color);
+    q->trace->apex = NULL;
+    return light;
+}
+
 Rgb shadow_light(const Shadow *q, const Light *l, const LightAt *lit)
 {
     q->trace->blockers.aim = l;
     if (l->is_shadowless || is_black(lit->color)) return lit->color;
     if (l->is_area && q->has_areas) return area_light(q, l, lit->color);
-    if (!light_is_parallel(l)) return light_from(q, &lit->direction, &l->position, lit->color);
+    if (!light_is_parallel(l)) return light_from_point(q, l, lit);
     Vec3 to = vec_add(q->at->point, vec_scale(lit->direction, lit->distance));
     return light_from(q, &lit->direction, &to, lit->color);
 }

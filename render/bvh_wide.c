@@ -9,7 +9,7 @@
  * tree. */
 #include "render/bvh_wide.h"
 
-#include "render/bvh_collapse.h"
+#include "render/pencil.h"
 #include "render/simd.h"
 
 #include <string.h>
@@ -60,10 +60,11 @@ static bool find_start(const WideBvh *b, const Ray *r, double t_max, double *sta
 
 static inline void set_axis(Slabs *w, int k, const WideBvh *b, double o, double d)
 {
-    double x = d / w->scale, inverse = 1 / (fabs(x) >= TINY ? x : copysign(TINY, d)), far = fabs(w->start) * w->scale;
+    bool is_tiny = !(fabs(d) >= TINY * w->scale);
+    double inverse = is_tiny ? copysign(1 / TINY, d) : w->scale / d, far = fabs(w->start) * w->scale;
     double at = w->start * d + o;
     double slack = fabs(inverse) * ((fabs(at) + b->largest) * 0x1p-21 + 0x1p-52 * (fabs(o) + far));
-    if (fabs(x) < TINY) slack += 4 * b->diagonal;
+    if (is_tiny) slack += 4 * b->diagonal;
     w->inverse[k] = (float)inverse;
     w->near_shift[k] = (float)(-at * inverse - slack);
     w->far_shift[k] = (float)(-at * inverse + slack);
@@ -100,14 +101,6 @@ static bool use_wide_ray(const WideBvh *b, const Ray *r, double t_max, Trace *t)
 
 typedef struct { uint32_t child; float t; } Waiting;
 
-typedef int V8i __attribute__((vector_size(32)));
-typedef signed char V8c __attribute__((vector_size(8)));
-typedef float V8f __attribute__((vector_size(32)));
-typedef float V8fUnaligned __attribute__((vector_size(32), aligned(4), may_alias));
-
-ALWAYS_INLINE V8f load(const float *p) { return *(const V8fUnaligned *)p; }
-ALWAYS_INLINE V8f splat(float x) { return (V8f){ x, x, x, x, x, x, x, x }; }
-
 ALWAYS_INLINE V8f v8_max(V8f a, V8f b)
 {
     V8f out;
@@ -120,18 +113,6 @@ ALWAYS_INLINE V8f v8_min(V8f a, V8f b)
     V8f out;
     for (int i = 0; i < WIDTH; i++) out[i] = a[i] < b[i] ? a[i] : b[i];
     return out;
-}
-
-/* Bit i: is lane i of the comparison true? Byte i keeps its bit i alone, and the product sums the bytes into the highest. */
-ALWAYS_INLINE unsigned mask_of(V8i truth)
-{
-    V8c bytes = __builtin_convertvector(truth, V8c);
-    uint64_t all;
-    memcpy(&all, &bytes, sizeof all);
-#if __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
-    all = __builtin_bswap64(all);
-#endif
-    return (unsigned)((all & 0x8040201008040201u) * 0x0101010101010101u >> 56);
 }
 
 /* ---- what comes from memory ahead ---- */
@@ -167,14 +148,14 @@ ALWAYS_INLINE void fetch_children(const WideBvh *b, const WideNode *n, unsigned 
 ALWAYS_INLINE int meet_children(const WideBvh *b, const WideNode *n, const Slabs *r, float t_min, float t_max,
                                 bool nearest_first, bool ahead, Waiting *out)
 {
-    V8f near = splat(t_min), far = splat(t_max);
+    V8f near = v8f_splat(t_min), far = v8f_splat(t_max);
     for (int k = 0; k < 3; k++) {
-        V8f inverse = splat(r->inverse[k]);
-        near = v8_max(load(n->side[r->near_side[k]][k]) * inverse + splat(r->near_shift[k]), near);
-        far = v8_min(load(n->side[!r->near_side[k]][k]) * inverse + splat(r->far_shift[k]), far);
+        V8f inverse = v8f_splat(r->inverse[k]);
+        near = v8_max(v8f_load(n->side[r->near_side[k]][k]) * inverse + v8f_splat(r->near_shift[k]), near);
+        far = v8_min(v8f_load(n->side[!r->near_side[k]][k]) * inverse + v8f_splat(r->far_shift[k]), far);
     }
     int n_met = 0;
-    unsigned met = mask_of(near <= far) & n->exists;     /* a ray of no numbers would meet children that do not exist */
+    unsigned met = v8_mask(__builtin_convertvector(near <= far, V8c)) & n->exists;     /* no numbers meet what is not there */
     if (ahead) fetch_children(b, n, met);
     for (; met != 0; met &= met - 1) {
         int i = __builtin_ctz(met), at = n_met++;
@@ -193,7 +174,13 @@ static bool visit_single(const WideBvh *b, const Ray *r, double *t_max, BvhVisit
     return box_hit(&b->bounds, &box, r->t_min, *t_max, &t_enter) && visit(context, b->single, r, t_max, t);
 }
 
-ALWAYS_INLINE float limit_of(const Slabs *s, double t_max) { return float_up((t_max - s->start) * s->scale); }
+/* Floats beyond x, by more than it is rounded. Which way that is no branch could foretell. */
+#define BEYOND 0x1p-22
+#define LEAST_BEYOND 0x1p-126
+ALWAYS_INLINE float float_above(double x) { return (float)(x + (fabs(x) * BEYOND + LEAST_BEYOND)); }
+ALWAYS_INLINE float float_below(double x) { return (float)(x - (fabs(x) * BEYOND + LEAST_BEYOND)); }
+
+ALWAYS_INLINE float limit_of(const Slabs *s, double t_max) { return float_above((t_max - s->start) * s->scale); }
 
 typedef struct { BvhVisit visit; void *context; } Visitor;
 
@@ -212,19 +199,27 @@ ALWAYS_INLINE int open_older(const WideBvh *b, Waiting *older, int n_new, const 
     return n_met - 1;
 }
 
+/* Where r enters the tree; NULL: it meets nothing. */
+ALWAYS_INLINE const WideNode *entry_of(const WideBvh *b, const Ray *r, double t_max, Trace *t)
+{
+    bool is_of_pencil = t->apex && b->n_nodes >= PENCIL_LEAST_NODES;
+    return is_of_pencil ? pencil_entry(b, r, t_max, t) : &b->nodes[0];
+}
+
 /* nearest_first: none behind *t_max as visits lower it; else the farthest first, and *t_max stays. */
 ALWAYS_INLINE bool traverse(const WideBvh *b, const Ray *r, double *t_max, Visitor v, Trace *t, bool nearest_first)
 {
     uint64_t *count = t->is_shadow_ray ? &t->counters.light_bv_intersections : &t->counters.bv_intersections;
     ++*count;
     if (b->is_single) return visit_single(b, r, t_max, v.visit, v.context, t);
-    if (!use_wide_ray(b, r, *t_max, t)) return false;
+    const WideNode *entry = entry_of(b, r, *t_max, t);
+    if (!entry || !use_wide_ray(b, r, *t_max, t)) return false;
     Slabs slabs = t->wide.slabs;     /* the visitor's own trees may need another ray */
     Waiting stack[STACK_SIZE];
     bool was_ahead = t->fetches_ahead, ahead = t->fetches_ahead = was_ahead || b->is_large;
-    float limit = limit_of(&slabs, *t_max), t_min = float_down((r->t_min - slabs.start) * slabs.scale);
-    int top = meet_children(b, &b->nodes[0], &slabs, t_min, limit, nearest_first, ahead, stack);
-    uint64_t n_boxes = b->nodes[0].n_children;
+    float limit = limit_of(&slabs, *t_max), t_min = float_below((r->t_min - slabs.start) * slabs.scale);
+    int top = meet_children(b, entry, &slabs, t_min, limit, nearest_first, ahead, stack);
+    uint64_t n_boxes = entry->n_children;
     bool ended = false;
     while (top > 0 && !ended) {
         Waiting next = stack[--top];

@@ -90,3 +90,9 @@ Ray camera_ray(const Camera *c, double x, double y, int w, int h)
         return (Ray){ vec_add(c->location, across), vec_normalize(c->direction), 0 };
     return (Ray){ c->location, vec_normalize(vec_add(c->direction, across)), 0 };
 }
+
+Viewpoint camera_viewpoint(const Camera *c, double n)
+{
+    double solid_angle = vec_length(vec_cross(c->right, c->up)) / vec_length2(c->direction);
+    return (Viewpoint){ c->location, n / solid_angle };
+}

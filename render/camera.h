@@ -2,6 +2,7 @@
 #ifndef TRIMRAY_CAMERA_H
 #define TRIMRAY_CAMERA_H
 
+#include "render/apex.h"
 #include "render/ray.h"
 #include "render/xform.h"
 
@@ -36,5 +37,8 @@ CameraStatus camera_make(const CameraDesc *desc, Camera *out);
 /* The ray through (x, y) of a w by h image: pixel centres are at integers, (0, 0) is the top left pixel. dir is unit,
  * t_min 0. */
 Ray camera_ray(const Camera *c, double x, double y, int w, int h);
+
+/* Of a picture of n pixels; an orthographic camera is taken for a perspective one. */
+Viewpoint camera_viewpoint(const Camera *c, double n);
 
 #endif

@@ -63,12 +63,26 @@ static void pass(const Object *o, const Ray *r, const Ray *within, Hit *h)
     h->objects[h->n_objects++] = o;
 }
 
+/* The apex of the ray as it is within o, in `room`; returns what it is outside. */
+static Apex *take_apex_in(const Object *o, Apex *room, Trace *t)
+{
+    Apex *outside = t->apex;
+    if (!outside || !o->is_placed) return outside;
+    *room = apex_within(outside, &o->placement);
+    t->apex = room;
+    return outside;
+}
+
 static bool object_hit(const Shape *shape, const Ray *r, Hit *best, Trace *t)
 {
     const Object *o = (const Object *)shape;
     Ray room;
+    Apex apex_room;
     const Ray *within = ray_within(o, r, &room);
-    if (!shape_hit(o->child, within, best, t)) return false;
+    Apex *outside = take_apex_in(o, &apex_room, t);
+    bool is_hit = shape_hit(o->child, within, best, t);
+    t->apex = outside;
+    if (!is_hit) return false;
     pass(o, r, within, best);
     return true;
 }
@@ -78,8 +92,11 @@ static void object_all_hits(const Shape *shape, const Ray *r, HitList *out, Trac
     const Object *o = (const Object *)shape;
     Ray room;
     const Ray *within = ray_within(o, r, &room);
+    Apex apex_room;
+    Apex *outside = take_apex_in(o, &apex_room, t);
     size_t first = out->n;
     shape_all_hits(o->child, within, out, t);
+    t->apex = outside;
     for (size_t i = first; i < out->n; i++) pass(o, r, within, &out->hits[i]);
 }
 
@@ -87,7 +104,11 @@ static bool object_blocks(const Shape *shape, const Ray *r, double t_max, Trace 
 {
     const Object *o = (const Object *)shape;
     Ray room;
-    return shape_blocks(o->child, ray_within(o, r, &room), t_max, t);
+    Apex apex_room;
+    Apex *outside = take_apex_in(o, &apex_room, t);
+    bool blocks = shape_blocks(o->child, ray_within(o, r, &room), t_max, t);
+    t->apex = outside;
+    return blocks;
 }
 
 static const Shape *object_bare(const Shape *shape)

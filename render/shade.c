@@ -21,6 +21,7 @@ typedef struct {
     Trace *trace;
     int quality;
     Surroundings around;
+    Apex camera;                 /* where camera rays begin */
 } Tracer;
 
 /* How a ray came about. */
@@ -119,10 +120,10 @@ static void gather(const Shadow *shadow, LayerAt *layers, int n, const Light *l,
     else gather_from(at, layers, n, l, &lit);
 }
 
-static void gather_from_all(Tracer *x, const Surface *at, LayerAt *layers, int n, const Medium *media)
+static void gather_from_all(Tracer *x, const Surface *at, LayerAt *layers, int n, const Path *path)
 {
     if (!answers_light(layers, n)) return;
-    Shadow shadow = { at, media, &x->around, x->quality >= Q_AREA_LIGHTS, x->trace };
+    Shadow shadow = { at, path->media, &x->around, x->quality >= Q_AREA_LIGHTS, path->kind == RAY_CAMERA, x->trace };
     for (size_t i = 0; i < x->scene->n_lights; i++) gather(&shadow, layers, n, &x->scene->lights[i], x->quality);
 }
 
@@ -280,7 +281,7 @@ static Pixel shade_texture(Tracer *x, const Surface *at, const Path *path)
     LayerAt few[FEW_LAYERS], *layers = few;
     if (at->texture->n_layers > FEW_LAYERS) layers = ARENA_ARRAY(x->trace->scratch, LayerAt, at->texture->n_layers);
     int n = walk_layers(x, at, path->media, layers, &through);
-    gather_from_all(x, at, layers, n, path->media);
+    gather_from_all(x, at, layers, n, path);
     Rgb sum = gathered(layers, n);
     if (!x->scene->needs_secondary_rays) return (Pixel){ sum.r, sum.g, sum.b, 0 };
     Pixel behind = { 0 };
@@ -317,12 +318,22 @@ static Pixel shade_hit(Tracer *x, const Ray *r, const Hit *h, const Path *path)
     return shade_texture(x, &at, path);
 }
 
-/* The nearest hit. What lies nearer than its own error may be the surface that the ray has just left: the next counts. */
-static bool nearest_hit(const Tracer *x, Ray *r, const Path *path, Hit *h)
+static bool hit_of_camera(Tracer *x, const Ray *r, Hit *h)
 {
+    bool has_apex = x->trace->pencils && x->scene->camera.kind == CAMERA_PERSPECTIVE;
+    x->trace->apex = has_apex ? &x->camera : NULL;
+    bool is_hit = scene_hit(x->scene, r, RAY_CAMERA, h, x->trace);
+    x->trace->apex = NULL;
+    return is_hit;
+}
+
+/* The nearest hit. What lies nearer than its own error may be the surface that the ray has just left: the next counts. */
+static bool nearest_hit(Tracer *x, Ray *r, const Path *path, Hit *h)
+{
+    if (path->kind == RAY_CAMERA) return hit_of_camera(x, r, h);
     for (;;) {
         if (!scene_hit(x->scene, r, path->was_reflected ? RAY_REFLECTED : RAY_CAMERA, h, x->trace)) return false;
-        if (path->kind == RAY_CAMERA || !(h->t <= h->t_error)) return true;
+        if (!(h->t <= h->t_error)) return true;
         r->t_min = h->t;
     }
 }
@@ -352,7 +363,7 @@ static Pixel trace_ray(Tracer *x, Ray *r, const Path *path)
 Pixel shade_camera_ray(const Scene *s, Ray *r, int quality, Trace *t)
 {
     ArenaMark mark = arena_mark(t->scratch);
-    Tracer x = { s, t, quality, { .scene = s, .scratch = t->scratch, .camera = r->origin } };
+    Tracer x = { s, t, quality, { .scene = s, .scratch = t->scratch, .camera = r->origin }, apex_make(r->origin) };
     Path path = { 0, false, 1, RAY_CAMERA, false, MEDIA_OF_CAMERA };
     Pixel seen = trace_ray(&x, r, &path);
     arena_reset(t->scratch, mark);

@@ -177,14 +177,23 @@ static Rgb area_light(const Shadow *q, const Light *l, Rgb color)
     return mean;
 }
 
+static bool light_from_point(const Shadow *q, const Light *l, LightAt *lit)
+{
+    Apex apex = apex_make(l->position);
+    if (q->has_neighbours && q->trace->pencils) q->trace->apex = &apex;
+    bool arrives = light_from(q, &lit->direction, &l->position, &lit->color);
+    q->trace->apex = NULL;
+    return arrives;
+}
+
 bool shadow_light(const Shadow *q, const Light *l, LightAt *lit)
 {
     q->trace->blockers.aim = l;
-    if (l->is_plain) return light_from(q, &lit->direction, &l->position, &lit->color);
+    if (l->is_plain) return light_from_point(q, l, lit);
     if (is_black(lit->color)) return false;
     if (l->is_shadowless) return true;
     if (l->is_area && q->has_areas) return lit->color = area_light(q, l, lit->color), true;
-    if (!light_is_parallel(l)) return light_from(q, &lit->direction, &l->position, &lit->color);
+    if (!light_is_parallel(l)) return light_from_point(q, l, lit);
     Vec3 to = vec_add(q->at->point, vec_scale(lit->direction, lit->distance));
     return light_from(q, &lit->direction, &to, &lit->color);
 }

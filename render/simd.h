@@ -4,6 +4,9 @@
 
 #include "render/vec.h"
 
+#include <stdint.h>
+#include <string.h>
+
 #if defined(__has_feature)
 #if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer) || __has_feature(undefined_behavior_sanitizer)
 #define TRIMRAY_SANITIZED
@@ -34,6 +37,37 @@ ALWAYS_INLINE V4 v4_fma(V4 a, double b, V4 c)
 {
     return (V4){ __builtin_fma(a[0], b, c[0]), __builtin_fma(a[1], b, c[1]), __builtin_fma(a[2], b, c[2]),
                  __builtin_fma(a[3], b, c[3]) };
+}
+
+/* Eight floats, eight doubles made of them, and what comparisons of them give. */
+typedef float V8f __attribute__((vector_size(32)));
+typedef float V8fUnaligned __attribute__((vector_size(32), aligned(4), may_alias));
+typedef signed char V8c __attribute__((vector_size(8)));
+typedef double V8d __attribute__((vector_size(64)));
+typedef long long V8l __attribute__((vector_size(64)));
+
+ALWAYS_INLINE V8f v8f_load(const float *p) { return *(const V8fUnaligned *)p; }
+ALWAYS_INLINE V8d v8d_load(const float *p) { return __builtin_convertvector(v8f_load(p), V8d); }
+
+/* As integers: of eight equal floats gcc 12 makes six instructions in a function that is compiled for several machines. */
+ALWAYS_INLINE V8f v8f_splat(float x)
+{
+    typedef int V8i __attribute__((vector_size(32)));
+    int bits;
+    memcpy(&bits, &x, sizeof bits);
+    return (V8f)(V8i){ bits, bits, bits, bits, bits, bits, bits, bits };
+}
+
+
+/* Bit i: is lane i of the comparison true? Byte i keeps its bit i alone, and the product sums the bytes into the highest. */
+ALWAYS_INLINE unsigned v8_mask(V8c truth)
+{
+    uint64_t all;
+    memcpy(&all, &truth, sizeof all);
+#if __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
+    all = __builtin_bswap64(all);
+#endif
+    return (unsigned)((all & 0x8040201008040201u) * 0x0101010101010101u >> 56);
 }
 
 #endif

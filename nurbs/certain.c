@@ -218,9 +218,17 @@ static bool take_all(Search *k, const Root *root, const CertainHit *hit)
     return false;
 }
 
-static int compare_hits(const void *a, const void *b)
+static int compare_depths(const void *a, const void *b)
 {
     double x = ((const CertainHit *)a)->t, y = ((const CertainHit *)b)->t;
+    return (x > y) - (x < y);
+}
+
+/* By where they may begin: one whose error is large may overlap with what lies before others that do not. */
+static int compare_starts(const void *a, const void *b)
+{
+    const CertainHit *h = a, *k = b;
+    double x = h->t - h->depth_error, y = k->t - k->depth_error;
     return (x > y) - (x < y);
 }
 
@@ -244,7 +252,7 @@ static size_t join_hits(const TileTree *tree, const Ray *r, CertainHit *hits, si
     return 2;
 }
 
-/* The number of hits, of n in order, that overlap with the first or with one that does. */
+/* The number of hits, of n by their starts, that overlap with the first or with one that does. */
 static size_t count_together(const CertainHit *hits, size_t n)
 {
     double reach = hits->t + hits->depth_error;
@@ -261,10 +269,11 @@ void certain_all(const TileTree *tree, const Ray *r, double t_max, Trace *t, Cer
     search_tiles(&k, r, t_max, SEARCH_ANY_ORDER, t);
     if (k.overflow) out->hits = arena_copy(t->scratch, out->hits, out->n, sizeof *out->hits);
     arena_free(k.overflow);
-    if (out->n > 1) qsort(out->hits, out->n, sizeof *out->hits, compare_hits);
+    if (out->n > 1) qsort(out->hits, out->n, sizeof *out->hits, compare_starts);
     size_t n = 0;
     for (size_t i = 0, together; i < out->n; i += together) {
         together = count_together(out->hits + i, out->n - i);
+        if (together > 1) qsort(out->hits + i, together, sizeof *out->hits, compare_depths);
         size_t left = join_hits(tree, r, out->hits + i, together);
         memmove(out->hits + n, out->hits + i, left * sizeof *out->hits);
         n += left;

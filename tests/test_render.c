@@ -17,7 +17,8 @@ static void add_swarm(Scene *s)
         balls[i] = sphere_new(s->arena, vec(x, y, test_range(&r, -2, 2)), .4);
     }
     Object *o = add_shape(s, union_new(s->arena, balls, N), brown, finish_default());
-    Xform turn = xform_rotate(vec(20, -30, 40)), size = xform_scale(vec(.1, .2, .15)), by = xform_translate(vec(-.4, .3, -1.2));
+    Xform turn = xform_rotate(vec(20, -30, 40)), size = xform_scale(vec(.1, .2, .15));
+    Xform by = xform_translate(vec(-.4, .3, -1.2));
     object_transform(o, &turn);
     object_transform(o, &size);
     object_transform(o, &by);
@@ -64,8 +65,8 @@ static void any_number_of_threads_gives_the_same_bytes(void **state)
         CHECK(memcmp(films[0]->pixels, films[i]->pixels, WIDTH * HEIGHT * sizeof(FilmPixel)) == 0, "%d threads", threads[i]);
         CHECK(counters[i].shadow_rays == counters[0].shadow_rays && counters[i].reflected_rays == counters[0].reflected_rays
               && counters[i].transmitted_rays == counters[0].transmitted_rays, "the counters of %d threads", threads[i]);
-        CHECK(counters[i].bv_intersections == counters[0].bv_intersections
-              && counters[i].light_bv_intersections == counters[0].light_bv_intersections, "the boxes of %d threads", threads[i]);
+        CHECK(counters[i].bv_intersections == counters[0].bv_intersections, "the boxes of %d threads", threads[i]);
+        CHECK(counters[i].light_bv_intersections == counters[0].light_bv_intersections, "%d threads", threads[i]);
     }
     CHECK(counters[0].camera_rays == WIDTH * HEIGHT, "camera rays");
     CHECK(counters[0].shadow_rays > 0 && counters[0].transmitted_rays > 0, "other rays");

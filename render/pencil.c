@@ -1,6 +1,6 @@
-/* Entry points for rays through a common point: the light buffer ([HG86]), by which a shadow ray finds what may block it from
- * its direction alone, joined with entry points into a tree ([RSH05]): a cell of directions holds the nodes and items that
- * its pyramid meets, and the traversal begins with them in place of the root.
+/* Entry points for rays through a common point: the light buffer ([HG86]), by which a shadow ray finds what may block it
+ * from its direction alone, joined with entry points into a tree ([RSH05]): a cell of directions holds the nodes and items
+ * that its pyramid meets, and the traversal begins with them in place of the root.
  *
  * Directions from the apex are seen on the six faces of a cube about it. Of each face there is a window, as large as the
  * tree is seen through it, and a quadtree of cells in that, made as rays fall into them. A cell's entry (pyramid.c) is made
@@ -32,7 +32,7 @@
 #define WINDOW_ROUNDING 0x1p-48
 
 /* Rays that are to be expected in a cell, at least. To make one takes as long as some thirty steps through a node, and the
- * first rays to come there wait for it from memory: with half as many rays or with four times as many a picture takes longer. */
+ * first rays to come there wait for it from memory: with half as many, or four times as many, a picture takes longer. */
 #define RAYS_IN_CELL 128
 
 /* A place in a window is a number of so many bits along either side. */
@@ -314,9 +314,9 @@ static const WideNode *find_cell(PencilSlot *slot, int face, int x, int y)
 #define LEAST_WAY 0x1p-900
 
 /* Does the ray, which does not begin there, pass the apex within delta, and end no more than delta beyond it? from: its
- * origin, as seen from the apex. The cross product's distance from the apex is rounded by 8 u |from| at most, and so is where
- * the ray is nearest to it; of an origin as near as FAR that is less than delta / 2. (And none of the squares may over- or
- * underflow.) */
+ * origin, as seen from the apex. The distance that the cross product says is rounded by 8 u |from| at most, and so is where
+ * the ray is nearest to the apex; from as near as FAR times S that is less than delta / 2. (And none of the squares may
+ * over- or underflow.) */
 #define FAR 0x1p8
 ALWAYS_INLINE bool goes_to_apex(const Pencil *p, const Ray *r, double t_max, Vec3 from)
 {
@@ -343,8 +343,8 @@ ALWAYS_INLINE PencilSlot *use_slot(const WideBvh *tree, Trace *t)
     PencilSlot *s = &t->pencils->of[hash >> 58];
     _Static_assert(N_PENCIL_SLOTS == 1 << (64 - 58), "a slot for each number");
     if (s->tree != tree || !is_same_point(s->apex, apex))
-        *s = (PencilSlot){ .tree = tree, .apex = apex, .mask = UINT64_MAX, .place = UINT64_MAX,
-                           .pencil = find_or_make(t->pencils->all, hash, tree, t->apex) };
+        *s = (PencilSlot){ .tree = tree, .apex = apex, .pencil = find_or_make(t->pencils->all, hash, tree, t->apex),
+                           .place = UINT64_MAX, .mask = UINT64_MAX };
     return s;
 }
 

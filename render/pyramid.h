@@ -14,9 +14,9 @@ typedef struct {
     double slack;            /* points as far away as this count as within */
 } Pyramid;
 
-/* Makes *entry of those children of `from`, a node that leads into the tree, that the pyramid may meet, and opens the largest
- * of them that are nodes themselves for as long as what it meets of their children finds room. Returns whether nodes are
- * left among them: a narrower pyramid may then have fewer. */
+/* Makes *entry of those children of `from`, a node that leads into the tree, that the pyramid may meet, and opens those of
+ * them that are nodes themselves, the largest first, as long as what it meets of their children finds room. Returns whether
+ * nodes are left among them: a narrower pyramid may then have fewer. */
 bool pyramid_entry(const Pyramid *p, const WideNode *tree, const WideNode *from, WideNode *entry);
 
 #endif

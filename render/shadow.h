@@ -10,7 +10,7 @@ typedef struct {
     const Medium *media;         /* of the ray that found the surface */
     Surroundings *around;
     bool has_areas;              /* area lights are sampled; else they are points */
-    bool has_neighbours;         /* the surface was seen from the camera, so that its shadow rays are like the last pixel's */
+    bool has_neighbours;         /* the camera sees the surface: its shadow rays are like those of the last pixel */
     Trace *trace;
 } Shadow;
 

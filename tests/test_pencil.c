@@ -91,7 +91,8 @@ static Scene any_scene(TestRandom *r, bool is_whole)
 {
     Scene s = { .arena = arena_new(), .n = (uint32_t)test_int(r, 30, MOST) };
     s.size = is_whole ? 16 : exp2(test_range(r, -30, 30));
-    Vec3 middle = is_whole || test_int(r, 0, 1) ? vec(0, 0, 0) : vec_scale(any_vector(r, s.size), exp2(test_range(r, 0, 12)));
+    double off = is_whole || test_int(r, 0, 1) ? 0 : exp2(test_range(r, 0, 12));
+    Vec3 middle = vec_scale(any_vector(r, s.size), off);
     double share = exp2(test_range(r, -6, -1));
     for (uint32_t i = 0; i < s.n; i++) {
         Vec3 c = is_whole ? whole_vector(r, 16) : vec_add(middle, any_vector(r, s.size));

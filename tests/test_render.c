@@ -6,6 +6,24 @@
 
 enum { WIDTH = 100, HEIGHT = 70 };   /* not multiples of a tile */
 
+/* A swarm of balls in a space of its own: a tree that rays from the camera and to the light enter by cells (pencil.h). */
+static void add_swarm(Scene *s)
+{
+    enum { N = 90 };
+    Shape *balls[N];
+    TestRandom r = test_random(7);
+    for (int i = 0; i < N; i++) {
+        double x = test_range(&r, -6, 6), y = test_range(&r, -4, 4);
+        balls[i] = sphere_new(s->arena, vec(x, y, test_range(&r, -2, 2)), .4);
+    }
+    Object *o = add_shape(s, union_new(s->arena, balls, N), brown, finish_default());
+    Xform turn = xform_rotate(vec(20, -30, 40)), size = xform_scale(vec(.1, .2, .15));
+    Xform by = xform_translate(vec(-.4, .3, -1.2));
+    object_transform(o, &turn);
+    object_transform(o, &size);
+    object_transform(o, &by);
+}
+
 /* Light, shadow, a mirror and glass: something of every kind of ray. */
 static Scene *varied_scene(Arena *a)
 {
@@ -16,6 +34,7 @@ static Scene *varied_scene(Arena *a)
     Shape *ball = sphere_new(a, vec(.8, .2, -1), .5);
     add_shape(s, ball, (Color){ 1, 1, 1, .9f, 0 }, mirror(.1, .1))->interior = new_interior(s, 1.5);
     add_checkered_wall(s);
+    add_swarm(s);
     return s;
 }
 
@@ -46,6 +65,8 @@ static void any_number_of_threads_gives_the_same_bytes(void **state)
         CHECK(memcmp(films[0]->pixels, films[i]->pixels, WIDTH * HEIGHT * sizeof(FilmPixel)) == 0, "%d threads", threads[i]);
         CHECK(counters[i].shadow_rays == counters[0].shadow_rays && counters[i].reflected_rays == counters[0].reflected_rays
               && counters[i].transmitted_rays == counters[0].transmitted_rays, "the counters of %d threads", threads[i]);
+        CHECK(counters[i].bv_intersections == counters[0].bv_intersections, "the boxes of %d threads", threads[i]);
+        CHECK(counters[i].light_bv_intersections == counters[0].light_bv_intersections, "%d threads", threads[i]);
     }
     CHECK(counters[0].camera_rays == WIDTH * HEIGHT, "camera rays");
     CHECK(counters[0].shadow_rays > 0 && counters[0].transmitted_rays > 0, "other rays");
@@ -60,7 +81,7 @@ static void every_pixel_is_what_its_ray_sees(void **state)
     RenderOptions o = render_options_default(WIDTH, WIDTH);
     Film *film;
     render(s, &o, &film);
-    for (int i = 0; i < WIDTH * WIDTH; i += 37) {
+    for (int i = 0; i < WIDTH * WIDTH; i += 7) {
         FilmPixel p = film_pixel(pixel_at(s, i % WIDTH, i / WIDTH, WIDTH, 9, NULL));
         CHECK(memcmp(&p, &film->pixels[i], sizeof p) == 0, "pixel %d", i);
     }

@@ -8,7 +8,6 @@
 typedef struct Search Search;
 typedef bool TakeRoot(Search *k, const Root *root, const CertainHit *hit);    /* no trim cuts it away; true: enough */
 struct Search {
-    const Surface *s;
     const TileTree *tree;
     PatchRay ray;
     double *t_max;            /* the traversal's, in units of the ray's direction */
@@ -28,7 +27,8 @@ static Vec2 step_along(const Tile *f, Vec3 d)
     Vec3 a = tile_vec(f->half_s), b = tile_vec(f->half_t);
     double aa = vec_dot(a, a), ab = vec_dot(a, b), bb = vec_dot(b, b), ad = vec_dot(a, d), bd = vec_dot(b, d);
     double det = 2 * (aa * bb - ab * ab);
-    return vec2(f->ds * (bb * ad - ab * bd) / det, f->dt * (aa * bd - ab * ad) / det);
+    TilePlace at = tile_place(f);
+    return vec2(at.ds * (bb * ad - ab * bd) / det, at.dt * (aa * bd - ab * ad) / det);
 }
 
 /* Roundings of a parameter that patch_u or patch_v computes, of its interval's larger end: two of the place in the patch,
@@ -62,8 +62,9 @@ static bool keeps_along(const TrimTree *trims, Vec2 at, Vec2 half, Vec2 wide, in
 static bool is_near_trim(const TrimTree *trims, const Tile *f, Vec3 d, const Root *root, double u, double v)
 {
     double w_u = f->patch->u1 - f->patch->u0, w_v = f->patch->v1 - f->patch->v0;
-    double du = root->beside * f->ds * w_u / (2.0 * f->length_s) + last_bits(f->patch->u0, f->patch->u1);
-    double dv = root->beside * f->dt * w_v / (2.0 * f->length_t) + last_bits(f->patch->v0, f->patch->v1);
+    TilePlace at = tile_place(f);
+    double du = root->beside * at.ds * w_u / (2.0 * f->length_s) + last_bits(f->patch->u0, f->patch->u1);
+    double dv = root->beside * at.dt * w_v / (2.0 * f->length_t) + last_bits(f->patch->v0, f->patch->v1);
     Vec2 along = vec2_scale(step_along(f, d), root->depth_error);
     return keeps_along(trims, vec2(u, v), vec2(along.x * w_u, along.y * w_v), vec2(du, dv), MAX_CUTS_ALONG);
 }
@@ -74,10 +75,10 @@ static bool accept_root(void *context, const Tile *f, PatchRay *ray, const Root 
     Counters *count = &k->trace->counters;
     count->nurbs_hits++;
     double u = patch_u(f->patch, root->s), v = patch_v(f->patch, root->t);
-    const TrimCell *cell = k->tree->cells ? k->tree->cells[k->tile] : NULL;
+    const TrimCell *cell = f->patch->is_trimmed ? k->tree->cells[k->tile] : NULL;
     if (cell) {
         count->trim_tests++;
-        if (!trim_cell_keeps(cell, u, v) && !is_near_trim(k->s->trims, f, ray->d, root, u, v)) return false;
+        if (!trim_cell_keeps(cell, u, v) && !is_near_trim(k->tree->trims, f, ray->d, root, u, v)) return false;
     }
     count->reported_hits++;
     k->found = true;
@@ -99,27 +100,25 @@ static bool take_nearest(Search *k, const Root *root, const CertainHit *hit)
     k->nearest = *hit;
     k->ray.t_max = root->depth;
     *k->t_max = hit->t;
-    t->root.leaf = hit->part, t->root.s = root->s, t->root.t = root->t, t->root.seed = t->seed;
+    t->root.patch = hit->part->patch, t->root.s = root->s, t->root.t = root->t, t->root.seed = t->seed;
     return false;
 }
 
-/* The tile's patch and its points, which lie behind it, come from memory together: as many as a bicubic one has. */
-static void prefetch_patch(const Tile *tile)
+static bool solve_tile(Search *k, uint32_t i, const Tile *tile, double *t_max, Trace *t)
 {
-    for (int at = 0; at < 10; at++) __builtin_prefetch((const char *)tile->patch + 64 * at);
+    k->t_max = t_max, k->tile = i, k->trace = t;
+    t->counters.leaf_tests++;
+    double begin = t->measures_time ? stats_now() : 0;
+    bool ended = tile_roots(tile, &k->ray, accept_root, k, t);
+    if (t->measures_time) t->counters.nurbs_seconds += stats_now() - begin;
+    return ended;
 }
 
 static bool visit_tile(void *context, uint32_t i, const Ray *r, double *t_max, Trace *t)
 {
     Search *k = context;
     (void)r;
-    k->t_max = t_max, k->tile = i, k->trace = t;
-    if (t->fetches_ahead) prefetch_patch(&k->tree->tiles[i]);
-    t->counters.leaf_tests++;
-    double begin = t->measures_time ? stats_now() : 0;
-    bool ended = tile_roots(&k->tree->tiles[i], &k->ray, accept_root, k, t);
-    if (t->measures_time) t->counters.nurbs_seconds += stats_now() - begin;
-    return ended;
+    return solve_tile(k, i, &k->tree->tiles[i], t_max, t);
 }
 
 /* Sets t->frame for the ray's direction, unless it is there from the surface before; the direction's length. */
@@ -134,20 +133,19 @@ static double use_frame(const Ray *r, Trace *t)
 }
 
 /* The fields that a search for one hit needs: not all are set to zero for each tile. */
-static inline void begin(Search *k, const Surface *s, const TileTree *tree, TakeRoot *take)
+static inline void begin(Search *k, const TileTree *tree, TakeRoot *take)
 {
-    k->s = s, k->tree = tree, k->take = take, k->found = false;
+    k->tree = tree, k->take = take, k->found = false;
 }
 
-/* false: it is no ray. */
-static inline bool set_ray(Search *k, const Ray *r, double t_max, Trace *t)
+/* base: of the surface. false: it is no ray. */
+static inline bool set_ray(Search *k, Vec3 base, const Ray *r, double t_max, Trace *t)
 {
     if (!vec_is_finite(r->origin) || !vec_is_finite(r->dir)) return false;
     k->length = use_frame(r, t);
-    k->ray = (PatchRay){ .origin = vec_sub(r->origin, k->tree->base), .d = t->frame.d, .n1 = t->frame.n1, .n2 = t->frame.n2,
+    k->ray = (PatchRay){ .origin = vec_sub(r->origin, base), .d = t->frame.d, .n1 = t->frame.n1, .n2 = t->frame.n2,
                          .t_min = r->t_min * k->length, .t_max = t_max * k->length,
-                         .guess = t->root.seed == t->seed ? t->root.leaf : NULL,
-                         .guess_s = t->root.s, .guess_t = t->root.t };
+                         .from = t->root.seed == t->seed ? t->root.patch : NULL, .from_s = t->root.s, .from_t = t->root.t };
     return true;
 }
 
@@ -156,29 +154,28 @@ typedef enum { SEARCH_NEAREST, SEARCH_ANY_ORDER } SearchFor;
 
 static bool search_tiles(Search *k, const Ray *r, double t_max, SearchFor what, Trace *t)
 {
-    if (!set_ray(k, r, t_max, t)) return false;
+    if (!set_ray(k, k->tree->base, r, t_max, t)) return false;
     Ray in_bvh = { vec_sub(r->origin, k->tree->bvh_base), r->dir, r->t_min };
     if (what == SEARCH_ANY_ORDER) return bvh_any(k->tree->bvh, &in_bvh, t_max, visit_tile, k, t);
     bvh_traverse(k->tree->bvh, &in_bvh, &t_max, visit_tile, k, t);
     return k->found;
 }
 
-bool certain_nearest(const Surface *s, const TileTree *tree, const Ray *r, double t_max, Trace *t, CertainHit *out)
+bool certain_nearest(const TileTree *tree, const Ray *r, double t_max, Trace *t, CertainHit *out)
 {
     Search k;
-    begin(&k, s, tree, take_nearest);
+    begin(&k, tree, take_nearest);
     if (!search_tiles(&k, r, t_max, SEARCH_NEAREST, t)) return false;
     *out = k.nearest;
     return true;
 }
 
-bool certain_nearest_on(const Surface *s, const TileTree *tree, uint32_t tile, const Ray *r, double t_max, Trace *t,
-                        CertainHit *out)
+bool certain_nearest_on(const Tile *tile, uint32_t i, const Ray *r, double t_max, Trace *t, CertainHit *out)
 {
     Search k;
-    begin(&k, s, tree, take_nearest);
-    if (!set_ray(&k, r, t_max, t)) return false;
-    visit_tile(&k, tile, r, &t_max, t);
+    begin(&k, tile_tree_of(tile), take_nearest);
+    if (!set_ray(&k, tile->patch->base, r, t_max, t)) return false;
+    solve_tile(&k, i, tile, &t_max, t);
     if (k.found) *out = k.nearest;
     return k.found;
 }
@@ -187,26 +184,26 @@ static bool is_still_blocked(Search *k, const Ray *r, double t_max, Trace *t)
 {
     uint32_t tile = blocker_recall(&t->blockers, k->tree);
     if (tile >= k->tree->n_tiles) return false;
-    if (set_ray(k, r, t_max, t) && visit_tile(k, tile, r, &t_max, t)) return true;
+    if (set_ray(k, k->tree->base, r, t_max, t) && visit_tile(k, tile, r, &t_max, t)) return true;
     blocker_forget(&t->blockers, k->tree);
     return false;
 }
 
-bool certain_any(const Surface *s, const TileTree *tree, const Ray *r, double t_max, Trace *t)
+bool certain_any(const TileTree *tree, const Ray *r, double t_max, Trace *t)
 {
     Search k;
-    begin(&k, s, tree, take_any);
+    begin(&k, tree, take_any);
     if (is_still_blocked(&k, r, t_max, t)) return true;
     if (!search_tiles(&k, r, t_max, SEARCH_ANY_ORDER, t)) return false;
     blocker_note(&t->blockers, tree, k.tile);
     return true;
 }
 
-bool certain_any_on(const Surface *s, const TileTree *tree, uint32_t tile, const Ray *r, double t_max, Trace *t)
+bool certain_any_on(const Tile *tile, uint32_t i, const Ray *r, double t_max, Trace *t)
 {
     Search k;
-    begin(&k, s, tree, take_any);
-    return set_ray(&k, r, t_max, t) && visit_tile(&k, tile, r, &t_max, t);
+    begin(&k, tile_tree_of(tile), take_any);
+    return set_ray(&k, tile->patch->base, r, t_max, t) && solve_tile(&k, i, tile, &t_max, t);
 }
 
 /* ---- all hits ---- */
@@ -258,10 +255,10 @@ static size_t count_together(const CertainHit *hits, size_t n)
     return i;
 }
 
-void certain_all(const Surface *s, const TileTree *tree, const Ray *r, double t_max, Trace *t, CertainList *out)
+void certain_all(const TileTree *tree, const Ray *r, double t_max, Trace *t, CertainList *out)
 {
     *out = (CertainList){ ARENA_ARRAY(t->scratch, CertainHit, FIRST_ROOM), 0, FIRST_ROOM };
-    Search k = { .s = s, .tree = tree, .take = take_all, .all = out };
+    Search k = { .tree = tree, .take = take_all, .all = out };
     search_tiles(&k, r, t_max, SEARCH_ANY_ORDER, t);
     if (k.overflow) out->hits = arena_copy(t->scratch, out->hits, out->n, sizeof *out->hits);
     arena_free(k.overflow);

@@ -15,19 +15,19 @@ typedef struct {
 } CertainHit;
 
 /* The nearest hit in the open interval (r->t_min, t_max) that no trim cuts away; counts into t. */
-bool certain_nearest(const Surface *s, const TileTree *tree, const Ray *r, double t_max, Trace *t, CertainHit *out);
+bool certain_nearest(const TileTree *tree, const Ray *r, double t_max, Trace *t, CertainHit *out);
 
-/* The same of one tile, and of what it was halved into. */
-bool certain_nearest_on(const Surface *s, const TileTree *tree, uint32_t tile, const Ray *r, double t_max, Trace *t,
-                        CertainHit *out);
-bool certain_any_on(const Surface *s, const TileTree *tree, uint32_t tile, const Ray *r, double t_max, Trace *t);
+/* The same of one tile of a tree, number i, and of what it was halved into. Of the tree nothing is read unless there is a
+ * root and trims: in a scene of many surfaces it is not in the cache. */
+bool certain_nearest_on(const Tile *tile, uint32_t i, const Ray *r, double t_max, Trace *t, CertainHit *out);
+bool certain_any_on(const Tile *tile, uint32_t i, const Ray *r, double t_max, Trace *t);
 
 /* Is there any hit in (r->t_min, t_max)? */
-bool certain_any(const Surface *s, const TileTree *tree, const Ray *r, double t_max, Trace *t);
+bool certain_any(const TileTree *tree, const Ray *r, double t_max, Trace *t);
 
 /* All hits in (r->t_min, t_max), ascending, each once, in t->scratch. */
 typedef struct { CertainHit *hits; size_t n, capacity; } CertainList;
-void certain_all(const Surface *s, const TileTree *tree, const Ray *r, double t_max, Trace *t, CertainList *out);
+void certain_all(const TileTree *tree, const Ray *r, double t_max, Trace *t, CertainList *out);
 
 /* The unit normal S_u x S_v at (u, v) of tile i; where it vanishes (a pole, a collapsed side), its limit from within. Where
  * the patch is but a curve, the one that faces the ray. */

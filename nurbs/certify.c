@@ -8,10 +8,18 @@
  * |q1 C22 - q2 C12| - |(C12, C22)| deviation.
  *
  * At most one root: let J_m = 2 w_middle C, and both columns be divided by their lengths in space. On a convex domain F(x) -
- * F(y) = (J_m + E)(x - y) with E an average of J - J_m. If |J_m^-1 E| < 1 this vanishes only for x = y. The Frobenius norm
- * of J_m^-1 is |J_m|/|det|, the one of E at most `variation` (N1, N2 are orthonormal, so projecting shortens): the test is
- * |J_m| variation < |det|. It holds on the tile with its margin, so that a root in the margin proves that the tile itself
- * has none. */
+ * F(y) = (J_m + N.E)(x - y), N.E being an average of J - J_m. If |J_m^-1 N.E| < 1 this vanishes only for x = y. With P the
+ * projection on the frame's plane and m its unit normal, N.E = N.PE + N.m (m.E). A vector v in the plane is that of the
+ * frame's coordinates C^-1 N.v, which are no longer than |v| / sigma; and N.m is -N.Pd / m.d, since N.d = 0. So |J_m^-1 N.E|
+ * <= stretch + turn cot, cot being that of the angle between the ray and the plane, whose sine is |m.d| = |det C| / |half_s
+ * x half_t|. It holds on the tile with its margin, so that a root in the margin proves that the tile itself has none.
+ *
+ * |C^-1| itself is at most 1 / (sigma |m.d|): any vector across the ray is as good as its projection on the plane along the
+ * ray, which is no longer than |v| / |m.d|. Sigma times the larger singular value, of at most sqrt 2, is |half_s x half_t|
+ * over the lengths, so that this is at most sqrt 2 length_s length_t / |det C|.
+ *
+ * C is rounded by less than 2^-48 of the lengths (TILE_VIEW_ROUNDINGS), which counts as part of E. That C^-1 and det are of
+ * C as rounded changes their bounds by a share of |C^-1| 2^-48, less than 2^-26 (TILE_LEAST_VARIATION). */
 #include "nurbs/certify.h"
 
 #include "nurbs/clip.h"
@@ -56,6 +64,7 @@ double patch_rounding(const Patch *p, Vec3 offset) { return rounding_at(p, vec_l
 typedef struct {
     const Tile *tile;
     const Patch *p;                /* the tile's */
+    KernelPart part;               /* the tile's place */
     PatchRay *r;
     Vec3 o;                        /* the ray's origin about the patch's */
     double q1, q2, rounding;       /* q: about the tile's middle */
@@ -65,8 +74,8 @@ typedef struct {
     double ds, dt;
     double j11, j12, j21, j22, det;
     double c11, c12, c21, c22, c_det;   /* the frame's */
-    double gain;                   /* the Frobenius norm of J_m^-1 over 2 w_middle, lengths being those of half the tile */
-    double contraction;            /* q of the frame's certificate: gain times variation */
+    double gain;                   /* at least |C^-1|, lengths being those of half the tile */
+    double contraction;            /* q of the frame's certificate */
     double least_step2;            /* what proves a miss */
 } Solve;
 
@@ -86,7 +95,7 @@ ALWAYS_INLINE V4 seen(const Solve *k, V4 p)
 /* Sets `last` and the Jacobian there. */
 ALWAYS_INLINE void evaluate(Solve *k)
 {
-    PatchPoint at = kernel_tile(k->tile, &k->s, &k->t);
+    PatchPoint at = kernel_tile(k->p, &k->part, &k->s, &k->t);
     k->last = (PatchPoint){ seen(k, at.value), seen(k, at.by_s), seen(k, at.by_t) };
     k->j11 = k->last.by_s[0], k->j12 = k->last.by_t[0];
     k->j21 = k->last.by_s[1], k->j22 = k->last.by_t[1];
@@ -105,8 +114,8 @@ ALWAYS_INLINE bool report(const Solve *k, RootVisit visit, void *context)
     /* the rounding moves the root by J^-1 times itself, and the depth by how that changes along the surface */
     double along_s = k->last.by_s[2] - depth * k->last.by_s[3], along_t = k->last.by_t[2] - depth * k->last.by_t[3];
     double slope = length2(along_s * k->j22 - along_t * k->j21, along_t * k->j11 - along_s * k->j12);
-    const Tile *f = k->tile;
-    Root root = { .s = f->s0 + clamped(k->s, 0, 1) * f->ds, .t = f->t0 + clamped(k->t, 0, 1) * f->dt,
+    TilePlace at = k->part.at;
+    Root root = { .s = at.s0 + clamped(k->s, 0, 1) * at.ds, .t = at.t0 + clamped(k->t, 0, 1) * at.dt,
                   .depth = depth, .distance = 2 * k->rounding, .beside = k->rounding,
                   .depth_error = k->rounding * (1 + slope / fabs(k->det)) };
     return visit(context, k->tile, k->r, &root);
@@ -124,9 +133,9 @@ static __attribute__((noinline)) double growth_at(const Patch *p, double x, doub
 
 ALWAYS_INLINE double growth_beyond_patch(const Solve *k)
 {
-    const Tile *f = k->tile;
     if (k->s >= 0 && k->s <= 1 && k->t >= 0 && k->t <= 1) return 1;
-    return growth_at(k->p, f->s0 + k->s * f->ds, f->t0 + k->t * f->dt);
+    TilePlace at = k->part.at;
+    return growth_at(k->p, at.s0 + k->s * at.ds, at.t0 + k->t * at.dt);
 }
 
 /* A converged iterate: on the patch, as far as rounding can tell, which can move the root by |J^-1| times itself, and by the
@@ -144,8 +153,8 @@ ALWAYS_INLINE NewtonResult place_of_root(const Solve *k)
 
 /* ---- what a step proves ---- */
 
-/* Makes up for the rounding of a bound that is computed by some ten operations, and of the frame's determinant: 2^-14
- * (TILE_LEAST_VARIATION). */
+/* Makes up for the rounding of a bound that is computed by some ten operations, and of what the ray sees of the frame:
+ * 2^-26 (see above). */
 #define ROUNDED_UP 1.0001
 
 /* Roundings of a step by Cramer's rule, relative to it, over the determinant's share of the columns' lengths: 2 each of the
@@ -159,8 +168,8 @@ ALWAYS_INLINE NewtonResult place_of_root(const Solve *k)
  *   J is off by twice (k-1) as much, coefficients of a derivative being differences, and the step by its own rounding, which
  *   both count as part of E, by less than gain (off slopes + 2 ROUNDINGS_OF_STEP u), slopes = (k_u-1) ds / length_s + ...
  * The first must be less than BLUR times what each proof adds it to, of which q (1-q)^2 times the step's length is less than
- * any; the second less than BLUR q, q being gain times `variation`, which is at least TILE_LEAST_VARIATION: 12 u are less
- * than half of that. Then BLURRED makes up for them. */
+ * any; the second less than BLUR q: q is at least TILE_LEAST_VARIATION times |C^-1|, so 12 u are less than half of that.
+ * Then BLURRED makes up for them. */
 #define BLUR 0x1p-10
 #define BLURRED (ROUNDED_UP * (1 + 2 * BLUR))
 
@@ -170,8 +179,9 @@ ALWAYS_INLINE double least_step2(const Solve *k)
     const Tile *f = k->tile;
     const Patch *p = k->p;
     double u = f->length_s, v = f->length_t, q = k->contraction, off = p->growth * p->w_max * k->rounding;
-    double slopes = (p->k_u - 1) * f->ds * v + (p->k_v - 1) * f->dt * u;
-    if (!(off * slopes < 0.5 * BLUR * f->variation * f->w_middle * u * v)) return INFINITY;
+    TilePlace at = k->part.at;
+    double slopes = (p->k_u - 1) * at.ds * v + (p->k_v - 1) * at.dt * u;
+    if (!(off * slopes * k->gain < 0.5 * BLUR * q * f->w_middle * u * v)) return INFINITY;
     double least = off * k->gain / (BLUR * q * (1 - q) * (1 - q) * f->w_middle);
     return least * least;
 }
@@ -208,11 +218,11 @@ ALWAYS_INLINE bool proves_miss_by_clamping(const Solve *k, double f1, double f2)
 
 /* Is the root x*, if there is one, certainly out of the ray's reach? With the bounds of proves_miss, |x* - x| is within
  * (1+q)/(1-q) |step|. The numerator about the root's point X vanishes there, so that at x it is at most (J_m + E)(x - x*):
- * |S(x) - X| <= 2 w_middle/w (sqrt 2 + variation) |x* - x|. */
+ * |S(x) - X| <= 2 w_middle/w (sqrt 2 + turn + stretch) |x* - x|. */
 ALWAYS_INLINE bool is_out_of_reach(const Solve *k, double depth, double ds, double dt)
 {
     double gap = double_max(k->r->t_min - depth, depth - k->r->t_max) - k->rounding, step2 = length2_of(k, ds, dt);
-    double far = BLURRED * (1 + k->contraction) * 2 * k->tile->w_middle * (M_SQRT2 + k->tile->variation);
+    double far = BLURRED * (1 + k->contraction) * 2 * k->tile->w_middle * (M_SQRT2 + k->tile->turn + k->tile->stretch);
     double near = (1 - k->contraction) * k->last.value[3] * gap;
     return gap > 0 && step2 > k->least_step2 && near * near > far * far * step2;
 }
@@ -245,6 +255,45 @@ ALWAYS_INLINE NewtonResult newton(Solve *k, Trace *trace)
  * refines across the ray alone. */
 #define WORTH_HALVING 4096
 
+/* ---- where the ray starts ---- */
+
+/* Is the point that the ray may be from on the tile, with its margin? Sets s and t of the tile: exact, s0 being no other
+ * multiple of ds than one beside it. */
+ALWAYS_INLINE bool is_from(const Tile *f, const PatchRay *r, double *s, double *t)
+{
+    if (r->from != f->patch) return false;
+    TilePlace at = tile_place(f);
+    *s = (r->from_s - at.s0) / at.ds, *t = (r->from_t - at.t0) / at.dt;
+    return *s >= -TILE_MARGIN && *s <= 1 + TILE_MARGIN && *t >= -TILE_MARGIN && *t <= 1 + TILE_MARGIN;
+}
+
+/* Does the ray start above a point X of the tile, to the side that it leaves for, so that it cannot meet the tile?
+ *
+ * X = S(x_g). The numerator about X vanishes at x_g, so that at x it is 2 w_middle (F + E)(x - x_g), F being the half-vectors
+ * over their lengths. The chord S(x) - X rises from the frame's plane by at most turn sigma |x - x_g|, and goes along it by
+ * at least (1 - stretch) sigma |x - x_g|, both times 2 w_middle / w: no chord is steeper than turn / (1 - stretch). What is
+ * steeper, on one side of the plane, is convex: if the start seen from X is, and the direction, all of the ray is, and none
+ * of it on the tile.
+ *
+ * The start seen from X is `off` by the rounding of X, of the start and of their difference, and where the surface is
+ * otherwise than the patch has it. For the direction, whose rounding is less than CONTRACTION leaves room for, a slope of
+ * turn / (CONTRACTION - stretch) stands for the steepest chord's; `steepest` is its sine. */
+ALWAYS_INLINE bool leaves_tile(const Tile *f, const PatchRay *r)
+{
+    double s, t;
+    if (!is_from(f, r, &s, &t) || !(f->stretch < CONTRACTION)) return false;
+    const Patch *p = f->patch;
+    Vec3 normal = vec_cross(tile_vec(f->half_s), tile_vec(f->half_t)), o = vec_sub(r->origin, p->origin);
+    double along = vec_dot(normal, r->d), area = (double)f->sine * f->length_s * f->length_t;
+    double room = CONTRACTION - f->stretch, turn2 = (double)f->turn * f->turn, steepest2 = turn2 / (turn2 + room * room);
+    if (!(along * along > steepest2 * area * area)) return false;
+    V4 x = kernel_evaluate(p, r->from_s, r->from_t).value;
+    Vec3 start = vec_add(vec_sub(o, vec_scale(vec(x[0], x[1], x[2]), 1 / x[3])), vec_scale(r->d, r->t_min));
+    double off = rounding_at(p, p->radius + fabs(o.x) + fabs(o.y) + fabs(o.z) + fabs(r->t_min));
+    double rise = copysign(1, along) * vec_dot(normal, start);
+    return rise > area * (sqrt(steepest2 * vec_length2(start)) + 2 * off);
+}
+
 typedef enum { FRAME_MISS, FRAME_ONE_AT_MOST, FRAME_UNDECIDED, FRAME_HOPELESS } FrameResult;
 
 /* What the frame says; sets s and t to the parallelogram's root, within the margin. */
@@ -262,10 +311,10 @@ ALWAYS_INLINE FrameResult frame_test(Solve *k)
     double column_s2 = k->c11 * k->c11 + k->c21 * k->c21, column_t2 = k->c12 * k->c12 + k->c22 * k->c22;
     double past_x = double_max(fabs(x) - det, 0), past_y = double_max(fabs(y) - det, 0);
     if (past_x * past_x > column_t2 * slack * slack || past_y * past_y > column_s2 * slack * slack) return FRAME_MISS;
-    double gain2 = column_s2 * v * v + column_t2 * u * u, contraction2 = gain2 * f->variation * f->variation, det2 = det * det;
-    if (!(contraction2 < CONTRACTION * CONTRACTION * det2))
-        return contraction2 < (double)WORTH_HALVING * WORTH_HALVING * det2 ? FRAME_UNDECIDED : FRAME_HOPELESS;
-    k->gain = sqrt(gain2 / det2), k->contraction = k->gain * f->variation;
+    double area = f->sine * u * v, along2 = double_max(area * area - det * det, 0), turn2 = along2 * f->turn * f->turn;
+    double room = double_max(CONTRACTION - f->stretch, 0) * det, worth = double_max(WORTH_HALVING - f->stretch, 0) * det;
+    if (!(turn2 < room * room)) return turn2 < worth * worth ? FRAME_UNDECIDED : FRAME_HOPELESS;
+    k->gain = M_SQRT2 * u * v / det, k->contraction = f->stretch + f->turn * sqrt(along2) / det;
     const double lo = -TILE_MARGIN, hi = 1 + TILE_MARGIN, scale = 0.5 / k->c_det;
     k->s = clamped(0.5 + x * scale, lo, hi);
     k->t = clamped(0.5 + y * scale, lo, hi);
@@ -292,8 +341,10 @@ ALWAYS_INLINE bool solve_one(Solve *k, RootVisit visit, void *context, Trace *tr
     const Tile *f = k->tile;
     k->rounding = patch_rounding(k->p, k->o);
     set_to_ray(k);
+    k->part = kernel_part(f);
     k->least_step2 = least_step2(k);
-    if (k->r->guess == f) k->s = (k->r->guess_s - f->s0) / f->ds, k->t = (k->r->guess_t - f->t0) / f->dt;
+    double from_s, from_t;
+    if (is_from(f, k->r, &from_s, &from_t)) k->s = from_s, k->t = from_t;
     switch (newton(k, trace)) {
     case NEWTON_INSIDE: return report(k, visit, context);
     case NEWTON_OUTSIDE: return false;
@@ -304,6 +355,7 @@ ALWAYS_INLINE bool solve_one(Solve *k, RootVisit visit, void *context, Trace *tr
 
 ALWAYS_INLINE FrameResult meet_tile(Solve *k, const Tile *tile, PatchRay *r)
 {
+    if (leaves_tile(tile, r)) return FRAME_MISS;
     k->tile = tile, k->p = tile->patch, k->r = r;
     return set_up(k) ? frame_test(k) : FRAME_MISS;
 }
@@ -311,7 +363,7 @@ ALWAYS_INLINE FrameResult meet_tile(Solve *k, const Tile *tile, PatchRay *r)
 /* How often both halves of a tile may be in doubt on the way down. One half alone shows that halving leads somewhere: to a
  * near miss, or to two roots that part. Where both are in doubt again and again the ray keeps to the surface along a whole
  * line, as many tiles as there are would be met, and clip.c, which refines across the ray, is faster. */
-#define DOUBTS 4
+#define DOUBTS 6
 
 typedef struct { const Tile *tile; int doubts; } Doubt;
 

@@ -15,12 +15,12 @@ typedef struct {
     Vec3 origin, d;          /* d: unit */
     Vec3 n1, n2;             /* unit, perpendicular to d and to each other */
     double t_min, t_max;     /* along d; t_max shrinks as roots are accepted */
-    const Tile *guess;       /* on this tile start from (guess_s, guess_t) of its patch, where the ray is from. NULL: none */
-    double guess_s, guess_t;
+    const Patch *from;       /* the ray may start near, or be near, the point (from_s, from_t) of this patch; NULL: of none */
+    double from_s, from_t;
 } PatchRay;
 
-/* A norm that proves one root must be below 1; this leaves room for its own rounding, which is below 2^-13 (a tile's
- * determinant has 2^-14: TILE_LEAST_VARIATION), and for a useful bound on the way there. */
+/* A norm that proves one root must be below 1; this leaves room for its own rounding, which is below 2^-13, and for a useful
+ * bound on the way there. */
 #define CONTRACTION 0.98
 
 /* Newton's step that is shorter than this share of the patch or box is the last: the next error is about its square. */

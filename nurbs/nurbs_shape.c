@@ -44,7 +44,7 @@ static bool certain_shape_hit(const Shape *s, const Ray *r, Hit *best, Trace *t)
 {
     const NurbsShape *n = (const NurbsShape *)s;
     CertainHit hit;
-    if (!certain_nearest(n->surface, &n->tiles, r, best->t, t, &hit)) return false;
+    if (!certain_nearest(&n->tiles, r, best->t, t, &hit)) return false;
     hit_set(best, hit.t, hit.t_error, hit.u, hit.v, s, hit.tile);
     return true;
 }
@@ -52,37 +52,41 @@ static bool certain_shape_hit(const Shape *s, const Ray *r, Hit *best, Trace *t)
 static bool certain_shape_blocks(const Shape *s, const Ray *r, double t_max, Trace *t)
 {
     const NurbsShape *n = (const NurbsShape *)s;
-    return certain_any(n->surface, &n->tiles, r, t_max, t);
+    return certain_any(&n->tiles, r, t_max, t);
 }
 
 /* Boxes about a base of their own belong into no other tree. */
-static const Bvh *certain_shape_lend(Shape *s, Arena *own, Trace *t)
+static const Bvh *certain_shape_lend(Shape *s, Arena *own, Trace *t, const ShapeType **lender)
 {
     const NurbsShape *n = (const NurbsShape *)s;
+    *lender = s->type;
     shape_prepare_in(s, own, t);
     return vec_max_abs(n->tiles.bvh_base) == 0 ? n->tiles.bvh : NULL;
 }
 
-static bool certain_shape_hit_item(const Shape *s, uint32_t item, const Ray *r, Hit *best, Trace *t)
+static const Shape *shape_of_tile(const Tile *tile)
 {
-    const NurbsShape *n = (const NurbsShape *)s;
+    return (const Shape *)((const char *)tile_tree_of(tile) - offsetof(NurbsShape, tiles));
+}
+
+static bool certain_shape_hit_item(const void *at, uint32_t item, const Ray *r, Hit *best, Trace *t)
+{
     CertainHit hit;
-    if (!certain_nearest_on(n->surface, &n->tiles, item, r, best->t, t, &hit)) return false;
-    hit_set(best, hit.t, hit.t_error, hit.u, hit.v, s, hit.tile);
+    if (!certain_nearest_on(at, item, r, best->t, t, &hit)) return false;
+    hit_set(best, hit.t, hit.t_error, hit.u, hit.v, shape_of_tile(at), hit.tile);
     return true;
 }
 
-static bool certain_shape_item_blocks(const Shape *s, uint32_t item, const Ray *r, double t_max, Trace *t)
+static bool certain_shape_item_blocks(const void *at, uint32_t item, const Ray *r, double t_max, Trace *t)
 {
-    const NurbsShape *n = (const NurbsShape *)s;
-    return certain_any_on(n->surface, &n->tiles, item, r, t_max, t);
+    return certain_any_on(at, item, r, t_max, t);
 }
 
 static void certain_shape_all_hits(const Shape *s, const Ray *r, HitList *out, Trace *t)
 {
     const NurbsShape *n = (const NurbsShape *)s;
     CertainList list;
-    certain_all(n->surface, &n->tiles, r, out->t_max, t, &list);
+    certain_all(&n->tiles, r, out->t_max, t, &list);
     for (size_t i = 0; i < list.n; i++) {
         const CertainHit *h = &list.hits[i];
         hit_set(hit_list_add(out), h->t, h->t_error, h->u, h->v, s, h->tile);

@@ -76,11 +76,11 @@ static bool is_collapsed(const Patch *p, const Vec4 *side, int n, int step)
     return true;
 }
 
-static unsigned collapsed_sides(const Patch *p)
+static unsigned char collapsed_sides(const Patch *p)
 {
     int k_u = p->k_u, k_v = p->k_v;
-    return (unsigned)is_collapsed(p, p->p, k_v, k_u) | (unsigned)is_collapsed(p, p->p + k_u - 1, k_v, k_u) << 1
-        | (unsigned)is_collapsed(p, p->p, k_u, 1) << 2 | (unsigned)is_collapsed(p, p->p + (k_v - 1) * k_u, k_u, 1) << 3;
+    return (unsigned char)(is_collapsed(p, p->p, k_v, k_u) | is_collapsed(p, p->p + k_u - 1, k_v, k_u) << 1
+        | is_collapsed(p, p->p, k_u, 1) << 2 | is_collapsed(p, p->p + (k_v - 1) * k_u, k_u, 1) << 3);
 }
 
 void patch_make(Arena *a, int k_u, int k_v, WideNet net, double error, TrimRect interval, Patch *out)
@@ -88,10 +88,12 @@ void patch_make(Arena *a, int k_u, int k_v, WideNet net, double error, TrimRect 
     *out = (Patch){ .k_u = k_u, .k_v = k_v, .u0 = interval.u0, .u1 = interval.u1, .v0 = interval.v0, .v1 = interval.v1,
                     .rounding = error, .roundings = (float)(roundings_of_order(k_u) + roundings_of_order(k_v)),
                     .is_polynomial = true };
+    double w_max = 0;
     for (int i = 0; i < k_u * k_v; i++) {
-        out->w_max = double_max(out->w_max, net.hi[i].w);
+        w_max = double_max(w_max, net.hi[i].w);
         out->is_polynomial = out->is_polynomial && net.hi[i].w == 1;
     }
+    out->w_max = float_up(w_max);
     patch_move_origin(out, net);
     out->p = arena_copy(a, net.hi, (size_t)(k_u * k_v), sizeof *net.hi);
     measure(out);

@@ -15,21 +15,28 @@
 /* How far beyond [0, 1] it is evaluated. */
 #define PATCH_MARGIN 0.0625
 
+/* What all patches of a surface share, but rays seldom ask for. */
 typedef struct {
-    /* What every ray asks for, in one line of the cache: */
-    int k_u, k_v;                 /* orders */
+    Arena *arena;                 /* for parts of the patches that rays ask for later (tile.c) */
+} PatchGroup;
+
+typedef struct {
+    /* What rays ask for, in one line of the cache: */
+    unsigned char k_u, k_v;       /* orders */
+    bool is_polynomial : 1;       /* every w is 1 */
+    bool is_trimmed : 1;          /* trims may cut away a root */
+    unsigned char collapsed;      /* bits for the sides s = 0, s = 1, t = 0, t = 1 that are one point, within the rounding */
+    float roundings;              /* of 2^-53 in a coordinate of patch_evaluate, relative to the sum of its terms' sizes, */
+    float growth;                 /* and by what that sum grows up to PATCH_MARGIN beyond the patch */
+    float w_max;                  /* no weight is larger */
     Vec3 origin;
     const Vec4 *p;                /* k_u * k_v points, u fastest */
     double rounding;              /* how far S(s, t) may be from where exact arithmetic has it, wherever s and t are */
     double radius;                /* |S(s, t) - origin| <= radius */
-    float roundings;              /* of 2^-53 in a coordinate of patch_evaluate, relative to the sum of its terms' sizes, */
-    float growth;                 /* and by what that sum grows up to PATCH_MARGIN beyond the patch */
-    /* and what few do. */
-    double w_max;                 /* the largest weight */
+    /* and in another one: */
+    Vec3 base;                    /* what its surface's tree is about, which the origin and the points are added to */
     double u0, u1, v0, v1;        /* its interval of the surface's parameters */
-    bool is_polynomial;           /* every w is 1 */
-    unsigned collapsed;           /* bits for the sides s = 0, s = 1, t = 0, t = 1 that are one point, within the rounding */
-    Arena *arena;                 /* for parts of it that rays ask for later (tile.c); NULL: none are made */
+    const PatchGroup *group;      /* NULL: none; no parts are made */
 } Patch;
 
 /* Fills *out from k_u * k_v homogeneous points {wx, wy, wz, w} of positive weight, u fastest, which move to the patch's own

@@ -60,14 +60,24 @@ ALWAYS_INLINE PatchPoint kernel_evaluate(const Patch *p, double s, double t)
     return kernel_blend(p, p->k_u, p->k_v, s, t);
 }
 
+/* A tile's place in its patch, and what its sides are powers of two below 1: exact. */
+typedef struct { TilePlace at; double per_s, per_t; } KernelPart;
+
+ALWAYS_INLINE KernelPart kernel_part(const Tile *f)
+{
+    TilePlace at = tile_place(f);
+    return (KernelPart){ at, 1 / at.ds, 1 / at.dt };
+}
+
 /* The same at a place of a tile, by the tile's parameters. s and t become those that were evaluated: the patch's own may
  * have too few bits left for them. */
-ALWAYS_INLINE PatchPoint kernel_tile(const Tile *f, double *s, double *t)
+ALWAYS_INLINE PatchPoint kernel_tile(const Patch *p, const KernelPart *part, double *s, double *t)
 {
-    double ds = f->ds, dt = f->dt, x = f->s0 + *s * ds, y = f->t0 + *t * dt;
-    *s = (x - f->s0) / ds, *t = (y - f->t0) / dt;
-    PatchPoint at = kernel_evaluate(f->patch, x, y);
-    return (PatchPoint){ at.value, at.by_s * ds, at.by_t * dt };
+    TilePlace in = part->at;
+    double x = in.s0 + *s * in.ds, y = in.t0 + *t * in.dt;
+    *s = (x - in.s0) * part->per_s, *t = (y - in.t0) * part->per_t;
+    PatchPoint at = kernel_evaluate(p, x, y);
+    return (PatchPoint){ at.value, at.by_s * in.ds, at.by_t * in.dt };
 }
 
 #endif

@@ -12,7 +12,8 @@ static const PoleSide SIDES[4] = { { false, false }, { false, true }, { true, fa
 
 static bool is_on_side(const Tile *f, PoleSide side)
 {
-    double from = side.is_t ? f->t0 : f->s0, width = side.is_t ? f->dt : f->ds;
+    TilePlace at = tile_place(f);
+    double from = side.is_t ? at.t0 : at.s0, width = side.is_t ? at.dt : at.ds;
     return side.is_end ? from + width >= 1 : from <= 0;
 }
 

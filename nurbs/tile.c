@@ -1,10 +1,10 @@
 /* Tiles and their frames: bounds that are computed once, so that a ray is decided by some forty operations.
  *
- * deviation   bounds the distance between the tile and the parallelogram of its derivatives at the middle. With L the
- *             parallelogram's map, w (S - L) is a polynomial of one degree more in s and in t; its Bernstein coefficients
- *             bound it ([Far02] convex hull property), the least weight bounds w.
- * variation   bounds how far the Jacobian of a ray's two plane equations moves from the one at the middle (see
- *             certify.c).
+ * deviation   bounds the distance between the tile and a parallelogram of its derivatives at the middle, which lies where
+ *             the tile bends away from it to both sides alike. With L its map, w (S - L) is a polynomial of one degree more
+ *             in s and in t; its Bernstein coefficients bound it ([Far02] convex hull property), the least weight bounds w.
+ * turn and    bound how far the Jacobian of a ray's two plane equations moves from the one at the middle (see
+ * stretch     certify.c).
  *
  * The numbers of a frame are rounded to single precision first, and the bounds computed for them as they are then, and
  * rounded up. */
@@ -79,7 +79,9 @@ TilePlaces tile_cut(const Patch *p, TilePlace at, bool along_u, Vec4 *net, Vec4 
     return out;
 }
 
-/* ---- radius and variation, with the margin ---- */
+/* ---- radius, turn and stretch, with the margin ---- */
+
+ALWAYS_INLINE double root_of_squares(double x, double y) { return sqrt(x * x + y * y); }
 
 ALWAYS_INLINE double net_radius(const Vec4 *net, int n)
 {
@@ -88,22 +90,26 @@ ALWAYS_INLINE double net_radius(const Vec4 *net, int n)
     return sqrt(most2);
 }
 
-/* Largest distance of the Bernstein coefficients of a derivative of the net from `middle`, and of its weight from 0. step is
- * the distance of neighbours along the derivative's direction, scale the degree over the interval's length. */
-ALWAYS_INLINE void derivative_spread(const Source *p, const Vec4 *net, int step, double scale, Vec3 middle,
-                              double *spread, double *w_spread)
+/* Largest distances of the Bernstein coefficients of a derivative of the net from `middle`, along the unit normal and across
+ * it, and of its weight from 0. step is the distance of neighbours along the derivative's direction, scale the degree over
+ * the interval's length. */
+typedef struct { double along, across, w; } Spread;
+
+ALWAYS_INLINE Spread derivative_spread(const Source *p, const Vec4 *net, int step, double scale, Vec3 middle, Vec3 normal)
 {
     int n_i = step == 1 ? p->k_u - 1 : p->k_u, n_j = step == 1 ? p->k_v : p->k_v - 1;
-    double most2 = 0;
-    *w_spread = 0;
+    double along2 = 0, across2 = 0, w = 0;
     for (int j = 0; j < n_j; j++)
         for (int i = 0; i < n_i; i++) {
             const Vec4 *q = net + j * p->k_u + i;
             Vec4 d = vec4_scale(vec4_sub(q[step], q[0]), scale);
-            most2 = double_max(most2, vec_length2(vec_sub(xyz(d), middle)));
-            *w_spread = double_max(*w_spread, fabs(d.w));
+            Vec3 off = vec_sub(xyz(d), middle);
+            double height = vec_dot(off, normal);
+            along2 = double_max(along2, height * height);
+            across2 = double_max(across2, vec_length2(vec_sub(off, vec_scale(normal, height))));
+            w = double_max(w, fabs(d.w));
         }
-    *spread = sqrt(most2);
+    return (Spread){ sqrt(along2), sqrt(across2), w };
 }
 
 /* Restricting to the margin adds 3 roundings and 5, and takes combinations with 1 + m and -m, then with m / (1 + m) and its
@@ -136,31 +142,60 @@ ALWAYS_INLINE double margin_radius(const Vec4 *net, int n, double inner, double 
     return radius + 4 * error * w.hi / w.lo * double_max(radius, inner);
 }
 
-/* Sets radius and variation of the tile, whose frame is there. */
-ALWAYS_INLINE void bound_variation(const Source *p, Tile *out)
+/* The unit normal of the frame; with a, b the half-vectors over length_s, length_t, the sine |a x b|; and 1/sigma, their
+ * smaller singular value: times the larger one it is the sine, and the sum of their squares is |a|^2 + |b|^2. */
+typedef struct { Vec3 normal; double sine, per_sigma; } Plane;
+
+/* Of a x b: 2 each of a and b, 2 of the products and their difference, of sums that are up to sqrt 2 long; 3 of the length. */
+#define SINE_ROUNDINGS 12
+
+ALWAYS_INLINE Plane plane_of(const Source *p, double length_s, double length_t)
+{
+    Vec3 a = vec_scale(p->half_s, 1 / length_s), b = vec_scale(p->half_t, 1 / length_t), normal = vec_cross(a, b);
+    double sine = vec_length(normal), both2 = vec_length2(a) + vec_length2(b);
+    double larger = 0.5 * (sqrt(both2 + 2 * sine) + sqrt(double_max(both2 - 2 * sine, 0)));
+    return (Plane){ vec_scale(normal, 1 / sine), sine, larger / (sine - SINE_ROUNDINGS * unit) };
+}
+
+/* Sets turn, stretch and sine of the tile, whose frame and radius are there. `net` is that of the margin, off by `error` of
+ * the largest weight w_max and of a radius. */
+ALWAYS_INLINE void bound_variation(const Source *p, const Vec4 *net, double error, double w_max, Tile *out)
+{
+    double length = 1 + 2 * TILE_MARGIN, s = 2.0 * out->w_middle * out->length_s, t = 2.0 * out->w_middle * out->length_t;
+    Plane plane = plane_of(p, out->length_s, out->length_t);
+    if (!(s > 0) || !(t > 0) || !isfinite(s) || !isfinite(t) || !(plane.sine > TILE_LEAST_VARIATION)) return;
+    Vec3 middle_s = vec_scale(p->half_s, 2.0 * out->w_middle), middle_t = vec_scale(p->half_t, 2.0 * out->w_middle);
+    Spread by_s = derivative_spread(p, net, 1, (p->k_u - 1) / length, middle_s, plane.normal);
+    Spread by_t = derivative_spread(p, net, p->k_u, (p->k_v - 1) / length, middle_t, plane.normal);
+    double lost = 3 * error * w_max * (out->patch->radius + out->radius);    /* by neighbours, and by their differences */
+    double any_s = (p->k_u - 1) * lost + out->radius * by_s.w, any_t = (p->k_v - 1) * lost + out->radius * by_t.w;
+    double turn = root_of_squares((by_s.along + any_s) / s, (by_t.along + any_t) / t);
+    double stretch = root_of_squares((by_s.across + any_s) / s, (by_t.across + any_t) / t);
+    double tilt = SINE_ROUNDINGS * unit / plane.sine * (turn + stretch);      /* the normal's own error */
+    double add = tilt + M_SQRT2 * TILE_VIEW_ROUNDINGS * unit;
+    turn = double_max(turn * ROUNDED_UP + add, TILE_LEAST_VARIATION) * plane.per_sigma;
+    stretch = double_max(stretch * ROUNDED_UP + add, TILE_LEAST_VARIATION) * plane.per_sigma;
+    if (!(turn < FLT_MAX && stretch < FLT_MAX)) return;
+    out->turn = float_up(turn * ROUNDED_UP), out->stretch = float_up(stretch * ROUNDED_UP);
+    out->sine = float_up((plane.sine + (SINE_ROUNDINGS + 2 * TILE_VIEW_ROUNDINGS) * unit) * ROUNDED_UP);
+}
+
+/* Sets what holds with the margin, too: the radius, and bound_variation's. */
+ALWAYS_INLINE void bound_margin(const Source *p, Tile *out)
 {
     int n = p->k_u * p->k_v;
     Vec4 net[NURBS_MAX_ORDER * NURBS_MAX_ORDER];
-    double whole = out->patch->radius, length = 1 + 2 * TILE_MARGIN, spread_s, spread_t, w_s, w_t, error = margin_error(p);
+    double error = margin_error(p);
     for (int i = 0; i < n; i++) net[i] = p->net[i];
     restrict_net(net, p->k_u, p->k_v, true, -TILE_MARGIN, 1 + TILE_MARGIN);
     restrict_net(net, p->k_u, p->k_v, false, -TILE_MARGIN, 1 + TILE_MARGIN);
     Weights w = { weights_of(net, n).lo, weights_of(p->net, n).hi };
-    out->variation = INFINITY;
+    out->turn = out->stretch = INFINITY;
     bool has_margin = w.lo > 2 * error * w.hi;    /* extrapolated weights may be negative: then the margin proves nothing */
-    double radius = net_radius(p->net, n) + tile_net_error(out->patch) + 2 * unit * whole;
+    double radius = net_radius(p->net, n) + tile_net_error(out->patch) + 2 * unit * out->patch->radius;
     if (has_margin) radius = margin_radius(net, n, radius, error, w);
     out->radius = float_up(radius * ROUNDED_UP);
-    double s = 2.0 * out->w_middle * out->length_s, t = 2.0 * out->w_middle * out->length_t;
-    if (!has_margin || !(s > 0) || !(t > 0) || !isfinite(s) || !isfinite(t) || !isfinite(radius)) return;
-    Vec3 by_s = vec_scale(p->half_s, 2.0 * out->w_middle), by_t = vec_scale(p->half_t, 2.0 * out->w_middle);
-    derivative_spread(p, net, 1, (p->k_u - 1) / length, by_s, &spread_s, &w_s);
-    derivative_spread(p, net, p->k_u, (p->k_v - 1) / length, by_t, &spread_t, &w_t);
-    double lost = 3 * error * w.hi * (whole + out->radius);    /* by neighbours, and by their differences with by_s, by_t */
-    double r_s = (spread_s + (p->k_u - 1) * lost + out->radius * w_s) / s;
-    double r_t = (spread_t + (p->k_v - 1) * lost + out->radius * w_t) / t;
-    double variation = sqrt(r_s * r_s + r_t * r_t) * ROUNDED_UP + M_SQRT2 * TILE_VIEW_ROUNDINGS * unit;
-    if (variation < FLT_MAX) out->variation = float_up(double_max(variation, TILE_LEAST_VARIATION));
+    if (has_margin && isfinite(radius)) bound_variation(p, net, error, w.hi, out);
 }
 
 /* ---- deviation ---- */
@@ -224,7 +259,8 @@ static double deviation_error(const Source *p, const Tile *tile)
 EVERY_X86
 void tile_evaluate(const Tile *tile, double *s, double *t, Vec4 *value, Vec4 *by_s, Vec4 *by_t)
 {
-    PatchPoint at = kernel_tile(tile, s, t);
+    KernelPart part = kernel_part(tile);
+    PatchPoint at = kernel_tile(tile->patch, &part, s, t);
     v4_store(value, at.value), v4_store(by_s, at.by_s), v4_store(by_t, at.by_t);
 }
 
@@ -234,28 +270,48 @@ static void middle_of(const Patch *p, const Vec4 *net, Vec4 *value, Vec4 *by_s, 
     patch_evaluate(&whole, 0.5, 0.5, value, by_s, by_t);
 }
 
-/* The middle, and half the derivatives there. */
+/* The middle of the box of what separates a net's points from those of the parallelogram about `at`: moved by that, it is
+ * as far from what bends away to one side as to the other. Any place will do, bounds are of what is stored. */
+ALWAYS_INLINE Vec3 middle_residual(const Patch *p, const Vec4 *net, Vec3 at, Vec3 half_s, Vec3 half_t)
+{
+    Vec3 lo = vec(INFINITY, INFINITY, INFINITY), hi = vec_neg(lo);
+    for (int j = 0; j < p->k_v; j++) {
+        Vec3 row = vec_add(at, vec_scale(half_t, 2.0 * j / (p->k_v - 1) - 1));
+        for (int i = 0; i < p->k_u; i++) {
+            Vec3 flat = vec_add(row, vec_scale(half_s, 2.0 * i / (p->k_u - 1) - 1));
+            Vec3 r = vec_sub(vec4_project(net[j * p->k_u + i]), flat);
+            lo = vec(double_min(lo.x, r.x), double_min(lo.y, r.y), double_min(lo.z, r.z));
+            hi = vec(double_max(hi.x, r.x), double_max(hi.y, r.y), double_max(hi.z, r.z));
+        }
+    }
+    return vec_scale(vec_add(lo, hi), 0.5);
+}
+
+/* Half the derivatives at the middle, and where their parallelogram lies best. */
 static void set_frame(const Patch *p, const Vec4 *net, Tile *out)
 {
     Vec4 value, by_s, by_t;
     middle_of(p, net, &value, &by_s, &by_t);
     Vec3 at = vec4_project(value);
-    to_floats(at, out->middle);
-    to_floats(vec_scale(vec_sub(xyz(by_s), vec_scale(at, by_s.w)), 0.5 / value.w), out->half_s);
-    to_floats(vec_scale(vec_sub(xyz(by_t), vec_scale(at, by_t.w)), 0.5 / value.w), out->half_t);
+    Vec3 half_s = vec_scale(vec_sub(xyz(by_s), vec_scale(at, by_s.w)), 0.5 / value.w);
+    Vec3 half_t = vec_scale(vec_sub(xyz(by_t), vec_scale(at, by_t.w)), 0.5 / value.w);
+    to_floats(vec_add(at, middle_residual(p, net, at, half_s, half_t)), out->middle);
+    to_floats(half_s, out->half_s), to_floats(half_t, out->half_t);
     out->w_middle = p->is_polynomial ? 1 : (float)value.w;
 }
 
 EVERY_X86
 void tile_make(const Patch *p, const Vec4 *net, TilePlace place, Tile *out)
 {
-    *out = (Tile){ .patch = p, .s0 = (float)place.s0, .t0 = (float)place.t0, .ds = (float)place.ds, .dt = (float)place.dt };
+    const double per_unit = 1 / TILE_PLACE_UNIT;
+    *out = (Tile){ .patch = p, .s0 = (uint16_t)(place.s0 * per_unit), .t0 = (uint16_t)(place.t0 * per_unit),
+                   .ds = (uint16_t)(place.ds * per_unit), .dt = (uint16_t)(place.dt * per_unit) };
     set_frame(p, net, out);
     Source source;
     make_source(out, net, &source);
     out->length_s = float_up(vec_length(source.half_s) * ROUNDED_UP);
     out->length_t = float_up(vec_length(source.half_t) * ROUNDED_UP);
-    bound_variation(&source, out);
+    bound_margin(&source, out);
     double deviation = p->is_polynomial ? polynomial_deviation(&source) : rational_deviation(&source);
     deviation = deviation * ROUNDED_UP + deviation_error(&source, out);
     out->deviation = deviation < FLT_MAX ? float_up(deviation) : INFINITY;
@@ -310,15 +366,15 @@ static pthread_mutex_t halving_lock = PTHREAD_MUTEX_INITIALIZER;
 
 static bool may_be_halved(const Tile *tile)
 {
-    return tile->patch->arena && tile->n_halvings < TILE_MAX_HALVINGS && !(tile->variation < AS_GOOD_AS_FLAT);
+    return tile->patch->group && tile->n_halvings < TILE_MAX_HALVINGS && !(tile->turn + tile->stretch < AS_GOOD_AS_FLAT);
 }
 
 static const Tile *make_halves(const Tile *tile)
 {
     const Patch *p = tile->patch;
-    Tile *out = ARENA_ARRAY(p->arena, Tile, 2);
+    Tile *out = ARENA_ARRAY(p->group->arena, Tile, 2);
     Vec4 net[NURBS_MAX_ORDER * NURBS_MAX_ORDER], first[NURBS_MAX_ORDER * NURBS_MAX_ORDER];
-    TilePlace place = { tile->s0, tile->t0, tile->ds, tile->dt };
+    TilePlace place = tile_place(tile);
     tile_net(p, place, net);
     TileBend bend = tile_bend(p->k_u, p->k_v, net);
     TilePlaces halves = tile_cut(p, place, !(bend.along_u < bend.along_v), net, first);

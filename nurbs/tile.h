@@ -30,34 +30,55 @@
 /* What is rounded when a ray looks at the half-vectors, of 2^-53 of their lengths: these, and 2 of a determinant. */
 #define TILE_VIEW_ROUNDINGS (VIEW_FRAME_ROUNDINGS + VIEW_DOT_ROUNDINGS + 2)
 
-/* The variation is at least this. So a determinant of the half-vectors that proves anything is more than 2^-38 of their
- * lengths' product, and its own roundings, 2 of 2^-53, are less than 2^-14 of it. */
-#define TILE_LEAST_VARIATION 0x1p-38
+/* Turn and stretch are at least this (over a sigma of at most 1), and so is the frame's sine. So a contraction proves
+ * nothing where the half-vectors' determinant, as the ray sees them, is less than 2^-21 of their lengths' product, and its
+ * rounding, TILE_VIEW_ROUNDINGS for each of them, is less than 2^-26 of it. */
+#define TILE_LEAST_VARIATION 0x1p-20
+
+/* Halving divides the variation of the derivatives by about two. The preparation halves at most this often in either
+ * direction: on smooth surfaces that is enough, and a wild one, of folds and cusps, has a thousand tiles a span at most. */
+#define TILE_FIRST_HALVINGS 5
+
+/* A tile is halved at most this often after the preparation, where a ray is in doubt. What bends forever (a pole, a cusp)
+ * and what touches a ray for good is left to clip.c, which refines along the ray alone. */
+#define TILE_MAX_HALVINGS 10
+
+/* So often a side may be halved in all, and so small is what is left. */
+#define TILE_PLACE_UNIT 0x1p-15
+_Static_assert(TILE_FIRST_HALVINGS + TILE_MAX_HALVINGS <= 15, "places are whole numbers of their unit");
 
 typedef struct Tile Tile;
 struct Tile {
     const Patch *patch;
     _Atomic(const Tile *) halves;    /* two side by side; NULL: not made yet */
-    float s0, t0, ds, dt;            /* where it lies in the patch's [0, 1]: exact, powers of two and their multiples */
-    float middle[3];                 /* S(1/2, 1/2), about the patch's origin */
+    uint16_t s0, t0, ds, dt;         /* where it lies in the patch's [0, 1], in TILE_PLACE_UNIT: exact */
+    float middle[3];                 /* of its parallelogram: near S(1/2, 1/2), about the patch's origin */
     float radius;                    /* |S - middle| <= radius, with the margin */
     /* S(s, t) = middle + (2s-1) half_s + (2t-1) half_t + r, |r| <= deviation on the tile; that has room for
-     * TILE_VIEW_ROUNDINGS, and so has the variation. */
+     * TILE_VIEW_ROUNDINGS, and so have turn, stretch and sine. */
     float half_s[3], length_s;       /* length_s >= |half_s| */
     float half_t[3], length_t;
     float deviation;
-    /* The derivatives of the homogeneous numerator w (S - x), for any x within `radius` of the middle, stay within
-     * variation times the half-vectors' lengths of 2 w_middle times these, both columns together (root of the sum of
-     * squares), with the margin. INFINITY: no frame. */
-    float variation;
+    /* How far the derivatives of the homogeneous numerator w (S - x), for any x within `radius` of the middle, with the
+     * margin, are from 2 w_middle times the half-vectors: out of the plane of these, and along it; of 2 w_middle times their
+     * lengths, both together (root of the sum of squares), over the smaller singular value sigma of half_s / length_s,
+     * half_t / length_t. INFINITY: no frame. */
+    float turn, stretch;
+    float sine;                      /* |half_s x half_t| <= sine length_s length_t */
     float w_middle;                  /* the weight at the middle: 1 where the patch is polynomial */
     uint32_t n_halvings;             /* since the preparation */
 };
 
 static inline Vec3 tile_vec(const float x[3]) { return vec(x[0], x[1], x[2]); }
 
-/* From the net over the tile, k_u * k_v homogeneous points about the patch's origin. place: s0, t0, ds, dt. */
 typedef struct { double s0, t0, ds, dt; } TilePlace;
+static inline TilePlace tile_place(const Tile *f)
+{
+    const double unit = TILE_PLACE_UNIT;
+    return (TilePlace){ f->s0 * unit, f->t0 * unit, f->ds * unit, f->dt * unit };
+}
+
+/* From the net over the tile, k_u * k_v homogeneous points about the patch's origin. */
 void tile_make(const Patch *p, const Vec4 *net, TilePlace place, Tile *out);
 
 /* How far such a net may be from where exact arithmetic has it. */
@@ -73,14 +94,6 @@ TilePlaces tile_cut(const Patch *p, TilePlace place, bool along_u, Vec4 *net, Ve
 /* The homogeneous numerator and its derivatives by s and t of the tile: about the patch's origin. s and t become those that
  * were evaluated: within 2^-53 of the patch's parameters. */
 void tile_evaluate(const Tile *tile, double *s, double *t, Vec4 *value, Vec4 *by_s, Vec4 *by_t);
-
-/* Halving divides the variation of the derivatives by about two. The preparation halves at most this often in either
- * direction: on smooth surfaces that is enough, and a wild one, of folds and cusps, has a thousand tiles a span at most. */
-#define TILE_FIRST_HALVINGS 5
-
-/* A tile is halved at most this often after the preparation, where a ray is in doubt. What bends forever (a pole, a cusp)
- * and what touches a ray for good is left to clip.c, which refines along the ray alone. */
-#define TILE_MAX_HALVINGS 10
 
 /* Its two halves, made by whichever thread asks first; NULL: it has been halved often enough. */
 const Tile *tile_halves(const Tile *tile);

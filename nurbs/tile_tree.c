@@ -12,8 +12,9 @@ typedef struct {
     const Surface *s;
     WideSurface wide;                /* its points about the tree's base */
     double error;                    /* of these, and of the patches' before they are rounded */
-    Vec3 to_bvh;                     /* from the tree's base to that of its boxes */
+    Vec3 base, to_bvh;               /* the tree's, and the way from there to that of its boxes */
     double variation;                /* that patches may have */
+    const PatchGroup *group;
     Arena *own, *lists;
     Tile *tiles;
     const TrimCell **cells;
@@ -124,7 +125,7 @@ static bool grow_span(Preparation *k, uint32_t at, int mu_u, int mu_v)
     wide_surface_close(&k->wide, mu_u, mu_v, (WideNet){ net, low });
     patch_make(k->own, s->k_u, s->k_v, (WideNet){ net, low }, k->error, rect, patch);
     patch->rounding += rounding_about_base(patch->origin);
-    patch->arena = k->own;
+    patch->base = k->base, patch->group = k->group, patch->is_trimmed = s->trims != NULL;
     Halvings all = { TILE_FIRST_HALVINGS, TILE_FIRST_HALVINGS };
     return grow_tiles(k, at, net, (Part){ patch, { 0, 0, 1, 1 }, rect }, all);
 }
@@ -151,6 +152,16 @@ static int *list_spans(Arena *a, int k, int n, const double *tau, int *n_spans)
     return list;
 }
 
+/* As many points of a patch, beside it, as a bicubic one has come from memory together. */
+static void set_items(Bvh *bvh, const Tile *tiles, const Preparation *k)
+{
+    int n_points = k->s->k_u * k->s->k_v;
+    const void **patches = ARENA_ARRAY(k->lists, const void *, k->n_tiles);
+    for (size_t i = 0; i < k->n_tiles; i++) patches[i] = tiles[i].patch;
+    bvh_set_items(bvh, &(BvhItems){ tiles, sizeof *tiles, patches,
+                                    sizeof(Patch) + (size_t)(n_points < 16 ? n_points : 16) * sizeof(Vec4) });
+}
+
 /* How far the surface may be from where exact arithmetic has it, in space, before the patches' points are rounded (patch.c).
  * Where weights differ they have been multiplied with coordinates (surface.c), which rounds each by u = 2^-53 of itself,
  * however far off it is; a point, by u of its distance from the origin, and no point of the surface by more than the
@@ -175,12 +186,12 @@ static double coarseness(const Surface *s)
 
 void tile_tree_make(Arena *a, const Surface *surface, double variation, TileTree *out)
 {
-    Preparation k = { .own = a, .lists = arena_new(), .error = error_of_surface(surface) };
+    Preparation k = { .group = &out->group, .own = a, .lists = arena_new(), .error = error_of_surface(surface) };
     k.variation = (variation > 0 ? variation : TILE_VARIATION) * coarseness(surface);
     size_t used = arena_used(a);
     Vec3 base = box_centre(surface->box), nowhere = { 0, 0, 0 };
     bool is_far = vec_max_abs(base) > FAR_OFF * box_diagonal(surface->box);
-    k.to_bvh = is_far ? nowhere : base;
+    k.base = base, k.to_bvh = is_far ? nowhere : base;
     const Surface *s = k.s = surface;
     k.wide = wide_surface_make(k.lists, s, base);
     SpanRange all = { 0 };
@@ -190,9 +201,9 @@ void tile_tree_make(Arena *a, const Surface *surface, double variation, TileTree
     bool has_any = grow_spans(&k, root, all);
     const Tile *tiles = arena_copy(a, k.tiles, k.n_tiles, sizeof *k.tiles);
     Bvh *bvh = bvh_from_tree(a, k.nodes, has_any ? (uint32_t)k.n_nodes : 0);
-    bvh_set_items(bvh, tiles, sizeof *tiles);
-    *out = (TileTree){ .base = base, .bvh_base = is_far ? base : nowhere, .tiles = tiles, .bvh = bvh,
-                        .cells = s->trims ? arena_copy(a, k.cells, k.n_cells, sizeof *k.cells) : NULL,
+    set_items(bvh, tiles, &k);
+    *out = (TileTree){ .group = { a }, .base = base, .bvh_base = is_far ? base : nowhere, .tiles = tiles, .bvh = bvh,
+                        .cells = s->trims ? arena_copy(a, k.cells, k.n_cells, sizeof *k.cells) : NULL, .trims = s->trims,
                         .n_tiles = (uint32_t)k.n_tiles, .n_cut = k.n_cut, .n_untested = k.n_untested };
     out->bytes = arena_used(a) - used;
     arena_free(k.lists);

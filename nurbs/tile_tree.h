@@ -8,15 +8,20 @@
 #include "render/bvh.h"
 
 typedef struct {
+    PatchGroup group;                /* first: see tile_tree_of */
     const Tile *tiles;
     Vec3 base;                       /* they are about this point: far from the origin nothing is lost */
     const TrimCell *const *cells;    /* what the trims say in each tile; NULL: it is wholly kept. NULL: all tiles are */
+    const TrimTree *trims;           /* the surface's */
     uint32_t n_tiles;
     const Bvh *bvh;                  /* item i is tiles[i] */
     Vec3 bvh_base;                   /* its boxes are about this point: 0, or the base of a surface that is far off */
     size_t bytes;                    /* of all this, as it was prepared */
     uint32_t n_cut, n_untested;      /* dropped because trimmed away; kept without a trim test on a trimmed surface */
 } TileTree;
+
+/* The tree of one of its tiles, or of what that was halved into. */
+static inline const TileTree *tile_tree_of(const Tile *tile) { return (const TileTree *)tile->patch->group; }
 
 /* The certificate then holds for all rays but those within some asin(0.25) of the tile's tangent planes. */
 #define TILE_VARIATION 0.25

@@ -1,18 +1,6 @@
 /* Implicit trees of boxes. See trim_boxes.h. */
 #include "nurbs/trim_boxes.h"
 
-#include <math.h>
-
-TrimRect trim_rect_of(Vec2 a, Vec2 b)
-{
-    return (TrimRect){ fmin(a.x, b.x), fmax(a.x, b.x), fmin(a.y, b.y), fmax(a.y, b.y) };
-}
-
-TrimRect trim_rect_union(TrimRect a, TrimRect b)
-{
-    return (TrimRect){ fmin(a.u0, b.u0), fmax(a.u1, b.u1), fmin(a.v0, b.v0), fmax(a.v1, b.v1) };
-}
-
 TrimBoxes trim_boxes_make(Arena *a, TrimRect *lowest, int n)
 {
     TrimBoxes t = { .n_levels = n > 0, .n = { n }, .box = { lowest } };

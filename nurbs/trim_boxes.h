@@ -13,13 +13,28 @@ typedef struct {
     TrimRect *box[TRIM_BOXES_MAX_LEVELS];
 } TrimBoxes;
 
+/* How many of the level below box i of a level holds, from box i * TRIM_BOXES_FAN on. */
+static inline int trim_boxes_below(const TrimBoxes *t, int level, int i)
+{
+    int left = t->n[level - 1] - i * TRIM_BOXES_FAN;
+    return left < TRIM_BOXES_FAN ? left : TRIM_BOXES_FAN;
+}
+
 TrimBoxes trim_boxes_make(Arena *a, TrimRect *lowest, int n);    /* keeps `lowest`, which lies in the arena */
 
 /* The first box i >= from of level 0 that meets r (closed against closed); -1: none. Logarithmic where r is small. */
 int trim_boxes_next(const TrimBoxes *t, TrimRect r, int from);
 
-TrimRect trim_rect_of(Vec2 a, Vec2 b);                           /* corners in any order */
-TrimRect trim_rect_union(TrimRect a, TrimRect b);
+static inline TrimRect trim_rect_of(Vec2 a, Vec2 b)               /* corners in any order */
+{
+    return (TrimRect){ double_min(a.x, b.x), double_max(a.x, b.x), double_min(a.y, b.y), double_max(a.y, b.y) };
+}
+
+static inline TrimRect trim_rect_union(TrimRect a, TrimRect b)
+{
+    return (TrimRect){ double_min(a.u0, b.u0), double_max(a.u1, b.u1), double_min(a.v0, b.v0), double_max(a.v1, b.v1) };
+}
+
 static inline bool trim_rects_meet(TrimRect a, TrimRect b)
 {
     return a.u0 <= b.u1 && b.u0 <= a.u1 && a.v0 <= b.v1 && b.v0 <= a.v1;

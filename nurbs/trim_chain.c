@@ -10,7 +10,8 @@
 
 /* ---- strips ---- */
 
-/* Coordinates of points near the unit square along an axis err by less than 4 u in all; twice that, and to spare. */
+/* Coordinates of points near the unit square along an axis err by less than 4 u in all, those of a strip's corners by as
+ * much again: four times the sum. */
 #define STRIP_MARGIN 0x1p-48
 
 static inline double along(const TrimStrip *s, int k, Vec2 p)
@@ -35,16 +36,22 @@ static void widen(TrimStrip *s, Vec2 p, double by)
 {
     for (int k = 0; k < 2; k++) {
         double x = along(s, k, p);
-        s->lo[k] = fmin(s->lo[k], x - by), s->hi[k] = fmax(s->hi[k], x + by);
+        s->lo[k] = double_min(s->lo[k], x - by), s->hi[k] = double_max(s->hi[k], x + by);
     }
+}
+
+static TrimStrip strip_round(const Vec2 *p, int n)
+{
+    TrimStrip s = { main_axis(p, n), { INFINITY, INFINITY }, { -INFINITY, -INFINITY } };
+    for (int i = 0; i < n; i++) widen(&s, p[i], STRIP_MARGIN);
+    return s;
 }
 
 /* Round the pieces from vertex `first` to vertex `end`. */
 static TrimStrip strip_of(const TrimPath *path, int first, int end)
 {
     const Vec2 *p = path->p;
-    TrimStrip s = { main_axis(p + first, end - first + 1), { INFINITY, INFINITY }, { -INFINITY, -INFINITY } };
-    for (int i = first; i <= end; i++) widen(&s, p[i], STRIP_MARGIN);
+    TrimStrip s = strip_round(p + first, end - first + 1);
     for (int i = first; i < end && path->arc; i++) {
         double bulge = path->arc[i].bulge + STRIP_MARGIN;
         if (trim_is_straight(path, i)) continue;
@@ -52,6 +59,22 @@ static TrimStrip strip_of(const TrimPath *path, int first, int end)
         widen(&s, p[i + 1], bulge);
     }
     return s;
+}
+
+static Vec2 strip_point(const TrimStrip *s, double x, double y)
+{
+    return vec2(x * s->axis.x - y * s->axis.y, x * s->axis.y + y * s->axis.x);
+}
+
+/* Round strips: their corners say enough, and a level takes a quarter of the time of the one below. */
+static TrimStrip strip_of_strips(const TrimStrip *below, int n)
+{
+    Vec2 corner[4 * TRIM_BOXES_FAN];
+    for (int i = 0; i < 4 * n; i++) {
+        const TrimStrip *s = &below[i / 4];
+        corner[i] = strip_point(s, i & 1 ? s->hi[0] : s->lo[0], i & 2 ? s->hi[1] : s->lo[1]);
+    }
+    return strip_round(corner, 4 * n);
 }
 
 static bool strip_contains(const TrimStrip *s, Vec2 p)
@@ -79,8 +102,7 @@ static bool strip_meets_rect(const TrimStrip *s, TrimRect r)
 
 static bool is_apart_from_strip(const TrimStrip *s, const TrimStrip *t)
 {
-    double x = (t->lo[0] + t->hi[0]) / 2, y = (t->lo[1] + t->hi[1]) / 2;
-    Vec2 centre = vec2(x * t->axis.x - y * t->axis.y, x * t->axis.y + y * t->axis.x);
+    Vec2 centre = strip_point(t, (t->lo[0] + t->hi[0]) / 2, (t->lo[1] + t->hi[1]) / 2);
     return is_apart(s, centre, vec2((t->hi[0] - t->lo[0]) / 2, (t->hi[1] - t->lo[1]) / 2), t->axis);
 }
 
@@ -96,14 +118,15 @@ static inline int piece_end(const TrimChain *c, int from, int n_pieces)
     return c->path.n - from < n_pieces ? c->path.n : from + n_pieces;
 }
 
+/* Of level 0 round the pieces of a group, of the others round the strips of the level below. */
 static void add_strips(Arena *a, TrimChain *c)
 {
     for (int level = 0; level < c->boxes.n_levels; level++) {
-        int n_pieces = trim_boxes_span(level) * TRIM_GROUP;
-        c->strip[level] = ARENA_ARRAY(a, TrimStrip, c->boxes.n[level]);
+        TrimStrip *strip = c->strip[level] = ARENA_ARRAY(a, TrimStrip, c->boxes.n[level]);
         for (int i = 0; i < c->boxes.n[level]; i++) {
-            int first = i * n_pieces;
-            c->strip[level][i] = strip_of(&c->path, first, piece_end(c, first, n_pieces));
+            int first = i * (level == 0 ? TRIM_GROUP : TRIM_BOXES_FAN);
+            if (level == 0) strip[i] = strip_of(&c->path, first, piece_end(c, first, TRIM_GROUP));
+            else strip[i] = strip_of_strips(c->strip[level - 1] + first, trim_boxes_below(&c->boxes, level, i));
         }
     }
 }

@@ -44,7 +44,7 @@ static bool groups_pair(Pairing *p, int g, int h)
 static inline int children(const TrimChain *c, int level, int i, int *first)
 {
     *first = i * TRIM_BOXES_FAN;
-    return (int)fmin(c->boxes.n[level - 1] - *first, TRIM_BOXES_FAN);
+    return trim_boxes_below(&c->boxes, level, i);
 }
 
 /* Run i of a at its level and run j of b: the higher of the two is opened, or both. */

@@ -74,18 +74,20 @@ static void restrict_to(View *v, bool along_s, double from, double width)
 View view_of_tile(Arena *scratch, const Tile *f, const PatchRay *r)
 {
     View v = view_of(scratch, f->patch, r);
+    TilePlace at = tile_place(f);
     view_extent(&v);
-    restrict_to(&v, true, f->s0, f->ds);
-    restrict_to(&v, false, f->t0, f->dt);
+    restrict_to(&v, true, at.s0, at.ds);
+    restrict_to(&v, false, at.t0, at.dt);
     return v;
 }
 
 View view_of_tile_in_haste(Arena *scratch, const Tile *f, const PatchRay *r)
 {
     View v = view_of(scratch, f->patch, r);
+    TilePlace at = tile_place(f);
     view_extent(&v);
-    view_restrict(&v, true, (Range){ f->s0, f->s0 + f->ds });
-    view_restrict(&v, false, (Range){ f->t0, f->t0 + f->dt });
+    view_restrict(&v, true, (Range){ at.s0, at.s0 + at.ds });
+    view_restrict(&v, false, (Range){ at.t0, at.t0 + at.dt });
     return v;
 }
 

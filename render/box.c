@@ -23,8 +23,8 @@ Box box_around(Vec3 centre, Vec3 half)
     const double c[3] = { centre.x, centre.y, centre.z }, h[3] = { half.x, half.y, half.z };
     Box b;
     for (int k = 0; k < 3; k++) {
-        b.lo[k] = float_down(nextafter(c[k] - h[k], -INFINITY));
-        b.hi[k] = float_up(nextafter(c[k] + h[k], INFINITY));
+        b.lo[k] = float_down(double_neighbour(c[k] - h[k], -1));
+        b.hi[k] = float_up(double_neighbour(c[k] + h[k], 1));
     }
     return b;
 }
@@ -34,8 +34,8 @@ Box box_expand(Box b, double by)
 {
     if (box_is_empty(b) || by == 0) return b;
     for (int k = 0; k < 3; k++) {
-        b.lo[k] = float_down(nextafter(b.lo[k] - by, -INFINITY));
-        b.hi[k] = float_up(nextafter(b.hi[k] + by, INFINITY));
+        b.lo[k] = float_down(double_neighbour(b.lo[k] - by, -1));
+        b.hi[k] = float_up(double_neighbour(b.hi[k] + by, 1));
     }
     return b;
 }
@@ -45,8 +45,8 @@ Box box_moved(Box b, Vec3 by)
     const double d[3] = { by.x, by.y, by.z };
     if (box_is_empty(b) || vec_max_abs(by) == 0) return b;
     for (int k = 0; k < 3; k++) {
-        b.lo[k] = float_down(nextafter(b.lo[k] + d[k], -INFINITY));
-        b.hi[k] = float_up(nextafter(b.hi[k] + d[k], INFINITY));
+        b.lo[k] = float_down(double_neighbour(b.lo[k] + d[k], -1));
+        b.hi[k] = float_up(double_neighbour(b.hi[k] + d[k], 1));
     }
     return b;
 }

@@ -33,6 +33,18 @@ static inline float float_neighbour(float f, int up)
     return f;
 }
 
+/* The same of a double, without a call; infinite ones and NaN stay as they are. */
+static inline double double_neighbour(double x, int up)
+{
+    int64_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    if (x == 0) return up > 0 ? 0x1p-1074 : -0x1p-1074;
+    if (!(fabs(x) < INFINITY)) return x;
+    bits += (x > 0) == (up > 0) ? 1 : -1;
+    memcpy(&x, &bits, sizeof x);
+    return x;
+}
+
 /* The largest float <= x, the smallest >= x. */
 static inline float float_down(double x) { float f = (float)x; return (double)f > x ? float_neighbour(f, -1) : f; }
 static inline float float_up(double x) { float f = (float)x; return (double)f < x ? float_neighbour(f, 1) : f; }

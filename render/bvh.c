@@ -265,9 +265,9 @@ Bvh *bvh_from_tree(Arena *a, const BvhNode *nodes, uint32_t n_nodes)
     return new_wide(a, bvh_wide_build(a, nodes, n_nodes, NULL), nodes[0].box, n_items);
 }
 
-void bvh_set_items(Bvh *b, const void *first, size_t size)
+void bvh_set_items(Bvh *b, const BvhItems *items)
 {
-    if (b->wide) bvh_wide_set_items(b->wide, first, size);
+    if (b->wide) bvh_wide_set_items(b->wide, items);
 }
 
 const void *bvh_item(const Bvh *b, uint32_t i) { return b->wide ? bvh_wide_item(b->wide, i) : NULL; }

@@ -29,10 +29,16 @@ Bvh *bvh_from_tree(Arena *a, const BvhNode *nodes, uint32_t n_nodes);
  * is itself an item. The items of part i become first_item[i], first_item[i] + 1, ... */
 Bvh *bvh_join(Arena *a, const Box *boxes, const Bvh *const parts[], const uint32_t first_item[], uint32_t n);
 
-/* Where the visitor's items lie, so many bytes each: to be fetched from memory while others are looked at. Known for trees
- * by BVH_SAH; NULL: nowhere. */
-void bvh_set_items(Bvh *b, const void *first, size_t size);
-const void *bvh_item(const Bvh *b, uint32_t i);
+/* Where the visitor has its items: to be fetched from memory while others are looked at, in this tree and in those that it is
+ * joined to. Known for trees by BVH_SAH. */
+typedef struct {
+    const void *first;             /* of all items, one after the other, */
+    size_t size;                   /* so many bytes each */
+    const void *const *behind;     /* what is read with each; most neighbours should have it in common. NULL: nothing */
+    size_t behind_size;
+} BvhItems;
+void bvh_set_items(Bvh *b, const BvhItems *items);
+const void *bvh_item(const Bvh *b, uint32_t i);      /* NULL: nowhere */
 
 Box bvh_bounds(const Bvh *b);
 uint32_t bvh_node_count(const Bvh *b);

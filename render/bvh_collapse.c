@@ -27,6 +27,7 @@ typedef struct {
     Arena *arena;                  /* of these lists alone */
     WideNode *wide;
     size_t n_wide, capacity;
+    size_t lent_size, behind_size; /* of the parts' items, which are all of one kind */
 } Collapse;
 
 /* A child to be: a binary node, or one of the children of the root of the part that stands there. */
@@ -116,9 +117,11 @@ static uint32_t moved(uint32_t child, uint32_t at, uint32_t first_item)
 static uint32_t copy_part(Collapse *c, const WideBvh *part, uint32_t from, uint32_t first_item)
 {
     uint32_t at = (uint32_t)c->n_wide - from;
+    c->lent_size = part->item_size, c->behind_size = part->behind_size;
     for (uint32_t i = from; i < part->n_nodes; i++) {
         WideNode *n = &ARENA_PUSH(c->arena, c->wide, c->n_wide, c->capacity);
         *n = part->nodes[i];
+        if (part->items) n->items = (uintptr_t)part->items - (uintptr_t)first_item * part->item_size;
         for (uint32_t k = 0; k < n->n_children; k++) n->child[k] = moved(n->child[k], at, first_item);
     }
     return at;
@@ -195,6 +198,7 @@ static WideBvh *build(Arena *a, Collapse c, uint32_t n_nodes)
                     .bounds = nodes[0].box, .diagonal = box_diagonal(nodes[0].box) };
     for (int k = 0; k < 3; k++)
         w->largest = double_max(w->largest, double_max(fabs(w->bounds.lo[k]), fabs(w->bounds.hi[k])));
+    w->lent_size = c.lent_size, w->behind_size = c.behind_size;
     w->is_large = c.n_wide * sizeof *c.wide > SMALL_TREE;
     w->is_single = nodes[0].n_items > 0 && w->nodes[0].child[0] & IS_ITEM;
     w->single = w->nodes[0].child[0] & ~IS_ITEM;

@@ -11,10 +11,12 @@ typedef struct {
     _Alignas(64) float side[2][3][WIDE_WIDTH];  /* lo and hi by axis; children that do not exist: lo +inf, hi -inf */
     uint32_t child[WIDE_WIDTH];    /* a node, or WIDE_IS_ITEM and an item */
     uint32_t n_children, exists;   /* exists: a bit for each */
+    uintptr_t items;               /* where item 0 would lie if all lay as those of the node do, by lent_size; 0: not known */
+    const char *behind;            /* what is read with the node's items; NULL: not known */
 } WideNode;
 
 struct WideBvh {
-    const WideNode *nodes;         /* the root first */
+    WideNode *nodes;               /* the root first */
     uint32_t n_nodes;
     Box bounds;
     double largest, diagonal;      /* the largest coordinate of the bounds, and their diagonal */
@@ -22,7 +24,8 @@ struct WideBvh {
     bool is_single;                /* it has one item alone: */
     uint32_t single;
     const char *items;             /* where the visitor has them, and how large they are; NULL: not known */
-    size_t item_size;
+    size_t item_size, lent_size;   /* lent_size: of items where the parts have them that were joined */
+    size_t behind_size;
 };
 
 #endif

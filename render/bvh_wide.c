@@ -14,10 +14,26 @@
 
 #define WIDTH WIDE_WIDTH
 #define IS_ITEM WIDE_IS_ITEM
-#define STACK_SIZE (2 * 64 * (WIDTH - 1) + WIDTH)     /* no deeper than the binary tree, and one within: 64 each */
+#define ROOM_AHEAD 64    /* beyond so many that wait, no node is opened ahead of its turn */
+/* Trees are no deeper than the binary tree, and one within: 64 each. */
+#define STACK_SIZE (2 * 64 * (WIDTH - 1) + WIDTH + ROOM_AHEAD + WIDTH)
 #define TINY 0x1p-60
 
-void bvh_wide_set_items(WideBvh *w, const void *first, size_t size) { w->items = first, w->item_size = size; }
+/* What is behind the first of a node's items stands for all. */
+static void set_behind(WideNode *n, const void *const behind[])
+{
+    uint32_t k = 0;
+    while (k < n->n_children && !(n->child[k] & IS_ITEM)) k++;
+    n->behind = k < n->n_children ? behind[n->child[k] & ~IS_ITEM] : NULL;
+}
+
+void bvh_wide_set_items(WideBvh *w, const BvhItems *items)
+{
+    w->items = items->first, w->item_size = items->size;
+    if (!items->behind) return;
+    w->behind_size = items->behind_size;
+    for (uint32_t i = 0; i < w->n_nodes; i++) set_behind(&w->nodes[i], items->behind);
+}
 
 const void *bvh_wide_item(const WideBvh *w, uint32_t i) { return w->items ? w->items + i * w->item_size : NULL; }
 
@@ -97,19 +113,37 @@ ALWAYS_INLINE V8f v8_min(V8f a, V8f b)
     return out;
 }
 
-/* Those that wait on the stack come from memory meanwhile: in a large tree that is what takes the time. */
-ALWAYS_INLINE void prefetch(const WideBvh *b, uint32_t child)
+/* ---- what comes from memory ahead ---- */
+
+ALWAYS_INLINE void fetch(const char *from, size_t size)
 {
-    bool is_item = child & IS_ITEM;
-    if (is_item && !b->items) return;
-    const char *from = is_item ? b->items + (child & ~IS_ITEM) * b->item_size : (const char *)&b->nodes[child];
-    size_t size = is_item ? b->item_size : sizeof(WideNode);
     for (size_t at = 0; at < size; at += 64) __builtin_prefetch(from + at);
 }
 
-/* Children of n that the ray meets in [t_min, t_max], the nearest last, or in no order. */
+/* Children that wait on the stack, a bit for each, and all that is read of them later: in a large tree that is what takes the
+ * time. None of it has to be read to know where the rest lies. */
+ALWAYS_INLINE void fetch_children(const WideBvh *b, const WideNode *n, unsigned which)
+{
+    bool has_items = false;
+    for (; which != 0; which &= which - 1) {
+        uint32_t child = n->child[__builtin_ctz(which)], i = child & ~IS_ITEM;
+        if (child & IS_ITEM) {
+            has_items = true;
+            if (b->items) fetch(b->items + i * b->item_size, b->item_size);
+            if (n->items) fetch((const char *)(n->items + i * b->lent_size), b->lent_size);
+        } else {
+            fetch((const char *)&b->nodes[i], sizeof(WideNode));
+        }
+    }
+    if (has_items && n->behind) fetch(n->behind, b->behind_size);
+}
+
+/* ---- a node ---- */
+
+/* Children of n that the ray meets in [t_min, t_max], the nearest last; or the farthest last, where any hit will do: what is
+ * near a shadow ray's origin is mostly the surface that it comes from. */
 ALWAYS_INLINE int meet_children(const WideBvh *b, const WideNode *n, const Slabs *r, float t_min, float t_max,
-                                bool in_order, bool ahead, Waiting *out)
+                                bool nearest_first, bool ahead, Waiting *out)
 {
     V8f near = v8f_splat(t_min), far = v8f_splat(t_max);
     for (int k = 0; k < 3; k++) {
@@ -119,11 +153,12 @@ ALWAYS_INLINE int meet_children(const WideBvh *b, const WideNode *n, const Slabs
     }
     int n_met = 0;
     /* a ray of no numbers would meet children that do not exist */
-    for (unsigned met = v8_mask(__builtin_convertvector(near <= far, V8c)) & n->exists; met != 0; met &= met - 1) {
+    unsigned met = v8_mask(__builtin_convertvector(near <= far, V8c)) & n->exists;
+    if (ahead) fetch_children(b, n, met);
+    for (; met != 0; met &= met - 1) {
         int i = __builtin_ctz(met), at = n_met++;
         float t = near[i];
-        if (ahead) prefetch(b, n->child[i]);
-        for (; in_order && at > 0 && out[at - 1].t < t; at--) out[at] = out[at - 1];
+        for (; at > 0 && (nearest_first ? out[at - 1].t < t : out[at - 1].t > t); at--) out[at] = out[at - 1];
         out[at] = (Waiting){ n->child[i], t };
     }
     return n_met;
@@ -154,8 +189,23 @@ ALWAYS_INLINE const WideNode *entry_of(const WideBvh *b, const Ray *r, double t_
     return is_of_pencil ? pencil_entry(b, r, t_max, t) : &b->nodes[0];
 }
 
-/* in_order: nearest boxes first, and none behind *t_max as visits lower it; else *t_max stays. */
-ALWAYS_INLINE bool traverse(const WideBvh *b, const Ray *r, double *t_max, Visitor v, Trace *t, bool in_order)
+/* While the n_new children that were met last come from memory: puts the children of what waits below them in its place, if
+ * it is a node. They are what the ray needs next, unless it ends before. Returns by how much the stack grows. */
+ALWAYS_INLINE int open_older(const WideBvh *b, Waiting *older, int n_new, const Slabs *r, float t_min, float t_max,
+                             bool nearest_first, uint64_t *n_boxes)
+{
+    if (older->child & IS_ITEM || (nearest_first && older->t > t_max)) return 0;
+    const WideNode *n = &b->nodes[older->child];
+    Waiting met[WIDTH];
+    int n_met = meet_children(b, n, r, t_min, t_max, nearest_first, true, met);
+    *n_boxes += n->n_children;
+    memmove(older + n_met, older + 1, (size_t)n_new * sizeof *older);
+    memcpy(older, met, (size_t)n_met * sizeof *older);
+    return n_met - 1;
+}
+
+/* nearest_first: none behind *t_max as visits lower it; else the farthest first, and *t_max stays. */
+ALWAYS_INLINE bool traverse(const WideBvh *b, const Ray *r, double *t_max, Visitor v, Trace *t, bool nearest_first)
 {
     uint64_t *count = t->is_shadow_ray ? &t->counters.light_bv_intersections : &t->counters.bv_intersections;
     ++*count;
@@ -166,19 +216,22 @@ ALWAYS_INLINE bool traverse(const WideBvh *b, const Ray *r, double *t_max, Visit
     Waiting stack[STACK_SIZE];
     bool was_ahead = t->fetches_ahead, ahead = t->fetches_ahead = was_ahead || b->is_large;
     float limit = limit_of(&slabs, *t_max), t_min = float_below((r->t_min - slabs.start) * slabs.scale);
-    int top = meet_children(b, entry, &slabs, t_min, limit, in_order, ahead, stack);
+    int top = meet_children(b, entry, &slabs, t_min, limit, nearest_first, ahead, stack);
     uint64_t n_boxes = entry->n_children;
     bool ended = false;
     while (top > 0 && !ended) {
         Waiting next = stack[--top];
-        if (in_order && next.t > limit) continue;      /* a hit has come nearer since */
+        if (nearest_first && next.t > limit) continue;      /* a hit has come nearer since */
         if (next.child & IS_ITEM) {
             ended = v.visit(v.context, next.child & ~IS_ITEM, r, t_max, t);
-            if (in_order) limit = limit_of(&slabs, *t_max);
+            if (nearest_first) limit = limit_of(&slabs, *t_max);
         } else {
             const WideNode *n = &b->nodes[next.child];
             n_boxes += n->n_children;
-            top += meet_children(b, n, &slabs, t_min, limit, in_order, ahead, stack + top);
+            int n_met = meet_children(b, n, &slabs, t_min, limit, nearest_first, ahead, stack + top);
+            if (ahead && n_met > 0 && top > 0 && top <= ROOM_AHEAD)
+                top += open_older(b, &stack[top - 1], n_met, &slabs, t_min, limit, nearest_first, &n_boxes);
+            top += n_met;
         }
     }
     t->fetches_ahead = was_ahead;

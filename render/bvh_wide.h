@@ -13,7 +13,7 @@ WideBvh *bvh_wide_build(Arena *a, const BvhNode *nodes, uint32_t n, const uint32
  * from first_item[i]. */
 WideBvh *bvh_wide_join(Arena *a, const BvhNode *nodes, uint32_t n, const uint32_t *items, const WideBvh *const parts[],
                        const uint32_t first_item[]);
-void bvh_wide_set_items(WideBvh *w, const void *first, size_t size);     /* as bvh_set_items */
+void bvh_wide_set_items(WideBvh *w, const BvhItems *items);              /* as bvh_set_items */
 const void *bvh_wide_item(const WideBvh *w, uint32_t i);
 uint32_t bvh_wide_node_count(const WideBvh *w);
 bool bvh_wide_any(const WideBvh *w, const Ray *r, double t_max, BvhVisit visit, void *context, Trace *t);

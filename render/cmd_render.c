@@ -1,7 +1,7 @@
 /* trimray SCENE.pov: the picture of a scene. */
 #include "render/commands.h"
 #include "render/files.h"
-#include "render/image.h"
+#include "render/picture.h"
 #include "render/render.h"
 
 #include <string.h>
@@ -42,10 +42,16 @@ static bool render_options(const Run *run, RenderOptions *out)
         && options_crop(o->start_row, o->end_row, o->height, &out->y0, &out->y1);
 }
 
-static void trace(Run *run, const RenderOptions *o, Film *film)
+static void add_tile(void *picture, int x0, int y0, int x1, int y1, const FilmPixel *pixels)
+{
+    if (picture) picture_add(picture, x0, y0, x1, y1, pixels);
+}
+
+/* picture NULL: nothing is kept. */
+static void trace(Run *run, const RenderOptions *o, Picture *picture)
 {
     interrupt_defer(render_interrupt);
-    RenderResult result = render_scene(run->scene, o, film);
+    RenderResult result = render_tiles(run->scene, o, add_tile, picture);
     interrupt_defer(NULL);
     run->counters = result.counters;
     run->trace_seconds = result.trace_seconds;
@@ -54,11 +60,18 @@ static void trace(Run *run, const RenderOptions *o, Film *film)
     run->was_traced = true;
 }
 
-static int write_picture(Run *run, const char *path, const Film *film)
+static Picture *new_picture(const Run *run, const RenderOptions *o)
 {
     const Scene *s = run->scene;
+    return picture_new(&(PictureFormat){ o->width, o->height, o->x0, o->y0, o->x1, o->y1, s->gamma, s->gamma_power,
+                                         run->options->bits, run->options->alpha });
+}
+
+/* What is still to be done once all is traced. */
+static int write_picture(Run *run, const char *path, Picture *picture)
+{
     double begun = stats_now();
-    const char *wrong = image_write_png(path, film, s->gamma, s->gamma_power, run->options->bits, run->options->alpha);
+    const char *wrong = picture_write(picture, path);
     run->write_seconds = stats_now() - begun;
     return wrong ? run_fail(EXIT_FILE, "cannot write %s: %s", path, wrong) : EXIT_DONE;
 }
@@ -87,14 +100,15 @@ static void warn_of_jitter(const Options *o)
 static int render(Run *run, const RenderOptions *o)
 {
     const char *path = picture_path(run);
-    int reason = run->options->no_output ? 0 : file_cannot_write(path, run->arena);
+    bool is_kept = !run->options->no_output;
+    int reason = is_kept ? file_cannot_write(path, run->arena) : 0;
     if (reason) return run_fail(EXIT_FILE, "cannot write %s: %s", path, strerror(reason));
-    Film *film = film_new(o->width, o->height);
-    if (!film) return run_fail(EXIT_FILE, "no memory for a picture of %d x %d", o->width, o->height);
+    Picture *picture = is_kept ? new_picture(run, o) : NULL;
+    if (is_kept && !picture) return run_fail(EXIT_FILE, "no memory for a picture of %d x %d", o->width, o->height);
     warn_of_jitter(run->options);
-    trace(run, o, film);
-    int status = run->options->no_output ? EXIT_DONE : write_picture(run, path, film);
-    film_free(film);
+    trace(run, o, picture);
+    int status = is_kept ? write_picture(run, path, picture) : EXIT_DONE;
+    picture_free(picture);
     tell(run, path);
     return status;
 }

@@ -107,9 +107,10 @@ FilmCurve film_curve(GammaKind gamma, double gamma_power, int max)
     FilmCurve c = { .gamma = gamma, .gamma_power = gamma_power, .max = max };
     if (max != 255) return c;
     for (int i = 1; i < 256; i++) c.step[i] = find_step(&c, i, c.step[i - 1]);
+    c.step[256] = INFINITY;
     uint32_t level = 0;
     for (uint32_t i = 1; i < FILM_N_FIRST; i++) {
-        while (level < 255 && c.step[level + 1] <= float_of((FILM_FIRST + i) << 16)) level++;
+        while (c.step[level + 1] <= float_of((FILM_FIRST + i) << 16)) level++;
         c.first[i] = (uint8_t)level;
     }
     return c;
@@ -119,15 +120,15 @@ uint16_t film_curve_sample(const FilmCurve *c, double working)
 {
     float v = (float)working;
     if (c->max != 255) return film_sample(working, c->gamma, c->gamma_power, c->max);
-    if (!(v > 0)) return 0;               /* NaN, too */
-    if (v >= 1) return 255;
+    v = v > 0 ? v : 0;                    /* NaN becomes 0, too */
+    v = v < 1 ? v : 1;
     uint32_t at = bits_of(v) >> 16;
     int level = c->first[at > FILM_FIRST ? at - FILM_FIRST : 0];
-    while (level < 255 && v >= c->step[level + 1]) level++;
+    while (v >= c->step[level + 1]) level++;
     return (uint16_t)level;
 }
 
-/* ---- rows ---- */
+/* ---- pixels ---- */
 
 /* Straight (not premultiplied) colour and alpha, linear in the working space. What is brighter than its alpha allows (a
  * highlight on glass) gets more alpha, as POV-Ray does. */
@@ -141,17 +142,28 @@ static Pixel unpremultiplied(const FilmPixel *p, double *alpha)
     return (Pixel){ p->r * by, p->g * by, p->b * by, (double)p->transmit };
 }
 
-int film_row(const Film *f, int y, const FilmCurve *curve, bool alpha, uint16_t *out)
+int film_encode(const FilmPixel *pixels, int n, const FilmCurve *curve, bool alpha, uint16_t *out)
 {
-    const FilmPixel *row = f->pixels + (size_t)y * (size_t)f->width;
     uint16_t *start = out;
-    for (int x = 0; x < f->width; x++) {
+    for (int i = 0; i < n; i++) {
         double a = 1;
-        Pixel p = alpha ? unpremultiplied(&row[x], &a) : (Pixel){ row[x].r, row[x].g, row[x].b, 0 };
+        Pixel p = alpha ? unpremultiplied(&pixels[i], &a) : (Pixel){ pixels[i].r, pixels[i].g, pixels[i].b, 0 };
         *out++ = film_curve_sample(curve, p.r);
         *out++ = film_curve_sample(curve, p.g);
         *out++ = film_curve_sample(curve, p.b);
         if (alpha) *out++ = film_quantize(a, curve->max);
     }
     return (int)(out - start);
+}
+
+int film_row(const Film *f, int y, const FilmCurve *curve, bool alpha, uint16_t *out)
+{
+    return film_encode(f->pixels + (size_t)y * (size_t)f->width, f->width, curve, alpha, out);
+}
+
+void film_set(Film *f, int x0, int y0, int x1, int y1, const FilmPixel *pixels)
+{
+    size_t across = (size_t)(x1 - x0);
+    for (int y = y0; y < y1; y++, pixels += across)
+        memcpy(f->pixels + (size_t)y * (size_t)f->width + (size_t)x0, pixels, across * sizeof *pixels);
 }

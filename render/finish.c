@@ -27,13 +27,25 @@ static Rgb metallic_tint(double metallic, Rgb pigment, double cosine)
     return rgb(1 + share * (pigment.r - 1), 1 + share * (pigment.g - 1), 1 + share * (pigment.b - 1));
 }
 
+/* x^exponent. Highlights mostly have whole exponents, and then it is found by squaring, off by as many roundings as the exponent
+ * says, which are nothing beside a step of 1/65535. */
+static double power(double x, double exponent)
+{
+    static const double MOST = 1 << 20;
+    if (!(exponent >= 0 && exponent <= MOST) || exponent != (double)(int)exponent) return pow(x, exponent);
+    double result = 1;
+    for (unsigned n = (unsigned)exponent; n > 0; n >>= 1, x *= x)
+        if (n & 1) result *= x;
+    return result;
+}
+
 static double phong_amount(const Finish *f, Vec3 n, Vec3 dir, Vec3 to_light)
 {
     Vec3 mirrored = vec_sub(dir, vec_scale(n, 2 * vec_dot(dir, n)));
     double k = vec_dot(mirrored, to_light);
     if (!(k > 0) || (f->phong_size >= 60 && k <= .0008)) return 0;   /* the second: POV-Ray's cut of what is nothing */
     double strength = f->phong_albedo ? f->phong * (f->phong_size + 1) / 2 : f->phong;
-    return strength * pow(k, f->phong_size);
+    return strength * power(k, f->phong_size);
 }
 
 static double specular_amount(const Finish *f, Vec3 n, Vec3 dir, Vec3 to_light)
@@ -43,7 +55,7 @@ static double specular_amount(const Finish *f, Vec3 n, Vec3 dir, Vec3 to_light)
     if (!(k > 0)) return 0;
     double r = 1 / f->roughness, strength = f->specular;
     if (f->specular_albedo) strength *= (r + 2) / (4 * (2 - exp2(-r / 2)));
-    return strength * pow(k, r);
+    return strength * power(k, r);
 }
 
 Rgb finish_highlights(const Finish *f, Rgb pigment, Vec3 n, Vec3 dir, Vec3 to_light, Rgb light)

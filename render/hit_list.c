@@ -29,6 +29,6 @@ void shape_all_hits(const Shape *s, const Ray *r, HitList *out, Trace *t)
         search_repeatedly(s, r, out, t);
         return;
     }
-    if (!shape_was_prepared(s)) shape_prepare((Shape *)s, t);   /* as shape_hit does it */
+    shape_be_prepared(s, t);
     s->type->all_hits(s, r, out, t);
 }

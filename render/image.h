@@ -5,9 +5,7 @@
 #include "render/arena.h"
 #include "render/film.h"
 
-/* Writes the film as PNG with the scene's gamma, 8 or 16 bits a channel: to a temporary file beside `path`, renamed when
- * complete. path "-" is the standard output; devices and pipes are written in place. Returns NULL, or what went
- * wrong (static or errno text). */
+/* Writes the film as PNG with the scene's gamma, 8 or 16 bits a channel. path and result: as png_writer_end. */
 const char *image_write_png(const char *path, const Film *f, GammaKind gamma, double gamma_power, int bits, bool alpha);
 
 /* A decoded picture: 16-bit RGBA samples as they stand in the file (8-bit ones times 257), row by row. */

@@ -12,6 +12,14 @@ Light light_default(LightKind kind)
     };
 }
 
+static bool light_fades(const Light *l) { return l->fade_distance > 0 && l->fade_power > 0; }
+
+bool light_is_plain(const Light *l)
+{
+    bool is_black = l->color.r == 0 && l->color.g == 0 && l->color.b == 0;
+    return l->kind == LIGHT_POINT && !l->is_parallel && !l->is_shadowless && !l->is_area && !light_fades(l) && !is_black;
+}
+
 /* 0 below a, 1 from b on, a cubic between them. */
 static double smooth_step(double a, double b, double x)
 {
@@ -58,7 +66,7 @@ LightAt light_at_any(const Light *l, Vec3 position, Vec3 point)
     Vec3 apart = vec_sub(position, point);
     LightAt at = { vec_normalize(apart), vec_length(apart), l->color };
     double factor = l->kind == LIGHT_POINT && !l->is_parallel ? 1 : along_axis(l, apart, &at);
-    if (l->fade_distance > 0 && l->fade_power > 0)
+    if (light_fades(l))
         factor *= 2 / (1 + pow(fabs(at.distance) / l->fade_distance, l->fade_power));
     at.color = rgb_scale(at.color, factor);
     return at;

@@ -21,11 +21,14 @@ typedef struct {
     bool is_area, area_circular, area_orient, area_illumination;
     Vec3 area_u, area_v;
     int area_n_u, area_n_v, area_adaptive;  /* adaptive: 100 where not given */
+    bool is_plain;                          /* known, by scene_prepare, to be a point with shadows that shines to all sides
+                                               and far alike; most are */
 } Light;
 
 /* Parallel by its kind or by the word: it shines along its axis everywhere. */
 static inline bool light_is_parallel(const Light *l) { return l->is_parallel || l->kind == LIGHT_CYLINDER; }
 
+bool light_is_plain(const Light *l);   /* should is_plain be set? */
 Light light_default(LightKind kind);   /* of its kind: black, at the origin, without area */
 void light_transform(Light *l, const Xform *x);
 
@@ -44,8 +47,7 @@ LightAt light_at_any(const Light *l, Vec3 position, Vec3 point);
 
 static inline LightAt light_at(const Light *l, Vec3 position, Vec3 point)
 {
-    bool has_axis = l->kind != LIGHT_POINT || l->is_parallel, fades = l->fade_distance > 0 && l->fade_power > 0;
-    if (has_axis || fades) return light_at_any(l, position, point);
+    if (!l->is_plain) return light_at_any(l, position, point);
     Vec3 apart = vec_sub(position, point);
     return (LightAt){ vec_normalize(apart), vec_length(apart), l->color };
 }

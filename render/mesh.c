@@ -66,7 +66,7 @@ static bool visit_nearest(void *context, uint32_t i, const Ray *r, double *t_max
     Vec3 v[3];
     t->counters.primitive_tests++;
     sheared_corners(s, i, r, v);
-    double limit = s->face != MESH_NONE && i < s->face ? nextafter(*t_max, INFINITY) : *t_max;
+    double limit = s->face != MESH_NONE && i < s->face ? double_neighbour(*t_max, 1) : *t_max;
     if (!watertight_hit(&s->shear, v, r->t_min, limit, &s->hit)) return false;
     s->face = i;
     *t_max = s->hit.t;

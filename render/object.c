@@ -111,26 +111,25 @@ static bool object_blocks(const Shape *shape, const Ray *r, double t_max, Trace 
     return blocks;
 }
 
+static const Shape *object_bare(const Shape *shape)
+{
+    const Object *o = (const Object *)shape;
+    return o->is_placed ? shape : shape_bare(o->child);
+}
+
 /* ---- the tree of what is within an object that does not move it ---- */
 
-static const Bvh *object_lend(Shape *shape, Arena *own, Trace *t)
+static const Bvh *object_lend(Shape *shape, Arena *own, Trace *t, const ShapeType **lender)
 {
     const Object *o = (const Object *)shape;
-    return o->is_placed || !o->child->type->lend ? NULL : o->child->type->lend(o->child, own, t);
+    return o->is_placed || !o->child->type->lend ? NULL : o->child->type->lend(o->child, own, t, lender);
 }
 
-static bool object_hit_item(const Shape *shape, uint32_t item, const Ray *r, Hit *best, Trace *t)
+static void object_took(const Shape *shape, const Ray *r, Hit *best)
 {
     const Object *o = (const Object *)shape;
-    if (!o->child->type->hit_item(o->child, item, r, best, t)) return false;
+    if (o->child->type->took) o->child->type->took(o->child, r, best);
     pass(o, r, r, best);
-    return true;
-}
-
-static bool object_item_blocks(const Shape *shape, uint32_t item, const Ray *r, double t_max, Trace *t)
-{
-    const Object *o = (const Object *)shape;
-    return o->child->type->item_blocks(o->child, item, r, t_max, t);
 }
 
 static bool object_inside(const Shape *shape, Vec3 p)
@@ -156,7 +155,7 @@ static uint32_t object_parts(const Shape *shape, Shape *const **list)
 
 static const ShapeType object_type = {
     .name = "object", .bounds = object_bounds, .hit = object_hit, .blocks = object_blocks,
-    .lend = object_lend, .hit_item = object_hit_item, .item_blocks = object_item_blocks,
+    .lend = object_lend, .took = object_took, .bare = object_bare,
     .all_hits = object_all_hits, .inside = object_inside, .inside_bounds = object_inside_bounds, .parts = object_parts,
 };
 
@@ -316,24 +315,11 @@ unsigned object_looks(Object *o)
     if (o->texture && (looks & LOOKS_UNTEXTURED)) looks = (looks & ~(unsigned)LOOKS_UNTEXTURED) | texture_looks(o->texture);
     if (o->interior_texture) looks |= texture_looks(o->interior_texture);
     if (o->no_shadow) looks |= LOOKS_NO_SHADOW;
+    o->is_even = o->texture && texture_is_even(o->texture) && (!o->interior_texture || texture_is_even(o->interior_texture));
     return o->looks = looks | LOOKS_KNOWN;
 }
 
 /* ---- the appearance of a hit ---- */
-
-/* The place in the hit's chain of the object whose texture counts; -1: none has one. */
-static int textured_place(const Hit *h)
-{
-    for (int i = 0; i < h->n_objects; i++)
-        if (h->objects[i]->texture) return i;
-    return -1;
-}
-
-const Object *hit_textured_object(const Hit *h)
-{
-    int i = textured_place(h);
-    return i >= 0 ? h->objects[i] : NULL;
-}
 
 const Interior *hit_interior(const Hit *h)
 {
@@ -353,11 +339,11 @@ bool hit_has_flag_no_shadow(const Hit *h)
 
 Vec3 hit_texture_point(const Hit *h, Vec3 world)
 {
-    int textured = textured_place(h);
-    if (textured < 0) return world;
-    for (int i = h->n_objects - 1; i > textured; i--)
+    const Object *textured = hit_textured_object(h);
+    if (!textured) return world;
+    for (int i = h->n_objects - 1; h->objects[i] != textured; i--)
         if (h->objects[i]->is_placed) world = xform_unpoint(&h->objects[i]->placement, world);
-    return xform_unpoint(&h->objects[textured]->texture_space, world);
+    return xform_unpoint(&textured->texture_space, world);
 }
 
 static bool is_same(Vec3 a, Vec3 b) { return a.x == b.x && a.y == b.y && a.z == b.z; }

@@ -18,7 +18,8 @@ struct Object {
     const Texture *interior_texture;   /* seen from inside; NULL: `texture` there too */
     const Interior *interior;      /* NULL: none given here */
     bool has_uv_mapping, no_shadow, no_image, no_reflection, is_inverse, is_hollow, double_illuminate;
-    unsigned looks;                /* object_looks keeps its answer here */
+    unsigned looks;                /* object_looks keeps its answer here, and finds out: */
+    bool is_even;                  /* its textures are the same everywhere */
     bool has_no_lights;            /* scene_add_object keeps here what it did not find below */
 };
 
@@ -56,7 +57,12 @@ enum {
 unsigned object_looks(Object *o);
 
 /* The appearance of a hit: the innermost object on the way that has what is asked for. */
-const Object *hit_textured_object(const Hit *h);     /* NULL: no texture anywhere: the default texture */
+static inline const Object *hit_textured_object(const Hit *h)   /* NULL: no texture anywhere: the default texture */
+{
+    for (int i = 0; i < h->n_objects; i++)
+        if (h->objects[i]->texture) return h->objects[i];
+    return NULL;
+}
 const Interior *hit_interior(const Hit *h);          /* NULL: none */
 const Object *hit_innermost(const Hit *h);
 bool hit_has_flag_no_shadow(const Hit *h);

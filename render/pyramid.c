@@ -115,6 +115,7 @@ bool pyramid_entry(const Pyramid *p, const WideNode *tree, const WideNode *from,
 {
     Draft d = { .node = entry };
     entry->n_children = 0;
+    entry->items = 0, entry->behind = NULL;      /* its items are of many nodes */
     add_children(&d, from, children_within(p, from));
     open_children(&d, p, tree);
     clear_rest(entry);

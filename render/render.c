@@ -24,7 +24,8 @@ void render_interrupt(void) { atomic_store(&is_interrupted, true); }
 typedef struct {
     const Scene *scene;
     const RenderOptions *options;
-    Film *film;
+    RenderSink *sink;
+    void *sink_context;
     Pencils *pencils;                                 /* of the rays from the camera and to lights */
     int n_across, n_tiles;
     atomic_int next_tile, n_done;
@@ -101,11 +102,12 @@ static void render_tile(const Job *job, int tile, Trace *t)
     int x0 = o->x0 + tile % job->n_across * o->block_size, y0 = o->y0 + tile / job->n_across * o->block_size;
     int x1 = lesser(x0 + o->block_size, o->x1), y1 = lesser(y0 + o->block_size, o->y1);
     size_t across = (size_t)(x1 - x0), n = across * (size_t)(y1 - y0);
-    FilmPixel *out = job->film->pixels + (size_t)y0 * (size_t)o->width + (size_t)x0;
     ArenaMark mark = arena_mark(t->scratch);
-    Pixel *tile_pixels = ARENA_ARRAY(t->scratch, Pixel, n);
-    antialias_block(&o->antialias, x0, y0, x1, y1, render_sample, &sampler, t->scratch, tile_pixels, across);
-    for (size_t i = 0; i < n; i++) out[i / across * (size_t)o->width + i % across] = film_pixel(tile_pixels[i]);
+    Pixel *found = ARENA_ARRAY(t->scratch, Pixel, n);
+    FilmPixel *pixels = ARENA_ARRAY(t->scratch, FilmPixel, n);
+    antialias_block(&o->antialias, x0, y0, x1, y1, render_sample, &sampler, t->scratch, found, across);
+    for (size_t i = 0; i < n; i++) pixels[i] = film_pixel(found[i]);
+    job->sink(job->sink_context, x0, y0, x1, y1, pixels);
     arena_reset(t->scratch, mark);
 }
 
@@ -156,10 +158,10 @@ static int run_workers(Worker *workers, int n)
 
 static int tiles(int from, int to, int size) { return to > from ? (to - from + size - 1) / size : 0; }
 
-RenderResult render_scene(Scene *s, const RenderOptions *o, Film *film)
+RenderResult render_tiles(Scene *s, const RenderOptions *o, RenderSink *sink, void *context)
 {
     if (!s->tree) scene_prepare(s);
-    Job job = { .scene = s, .options = o, .film = film, .start = stats_now() };
+    Job job = { .scene = s, .options = o, .sink = sink, .sink_context = context, .start = stats_now() };
     job.pencils = pencils_new(camera_viewpoint(&s->camera, (double)o->width * o->height));
     job.n_across = tiles(o->x0, o->x1, o->block_size);
     job.n_tiles = job.n_across * tiles(o->y0, o->y1, o->block_size);
@@ -178,3 +180,10 @@ RenderResult render_scene(Scene *s, const RenderOptions *o, Film *film)
     if (job.n_tiles > 0) end_progress(&job);
     return result;
 }
+
+static void fill_film(void *context, int x0, int y0, int x1, int y1, const FilmPixel *pixels)
+{
+    film_set(context, x0, y0, x1, y1, pixels);
+}
+
+RenderResult render_scene(Scene *s, const RenderOptions *o, Film *film) { return render_tiles(s, o, fill_film, film); }

@@ -23,12 +23,18 @@ typedef struct {
     Counters counters;          /* all threads together */
     double trace_seconds;
     int n_threads;
-    bool interrupted;           /* what was finished is in the film */
+    bool interrupted;           /* what was finished was given to the sink */
 } RenderResult;
 
 RenderOptions render_options_default(int width, int height);
 
-/* Fills the film. The same bytes for every number of threads. */
+/* Takes the pixels [x0, x1) x [y0, y1), row by row; called from all threads, once for each tile. */
+typedef void RenderSink(void *context, int x0, int y0, int x1, int y1, const FilmPixel *pixels);
+
+/* Tiles are begun row by row from the top. The same pixels for every number of threads. */
+RenderResult render_tiles(Scene *s, const RenderOptions *o, RenderSink *sink, void *context);
+
+/* Fills the film. */
 RenderResult render_scene(Scene *s, const RenderOptions *o, Film *film);
 
 /* From a signal handler: tiles in work are finished, no new ones begun. Counts for the render that runs, or for the next one

@@ -129,6 +129,7 @@ void scene_prepare(Scene *s)
     s->tree->shapes = shape_tree_build(s->arena, shapes, flags, n, unbounded_first);
     s->tree->filters = tree_of_filters(s->arena, shapes, flags, n, unbounded_first);
     s->has_filters = s->tree->filters != NULL;
+    for (size_t i = 0; i < s->n_lights; i++) s->lights[i].is_plain = light_is_plain(&s->lights[i]);
     s->needs_shadow_rays = lights_cast_shadows(s);
     s->needs_secondary_rays = (all_looks & (LOOKS_CLEAR | LOOKS_REFLECTING)) != 0;
 }

@@ -40,14 +40,14 @@ typedef struct {
     Rgb weight;                  /* of its light: what the layers above let through */
     double opacity;
     Rgb reflectivity;
+    Rgb diffuse, shine;          /* gathered light: what the pigment scatters, what it does not colour */
 } LayerAt;
 
 enum { FEW_LAYERS = 2 };         /* so many are seen without asking for memory */
 
-static Pixel trace_ray(Tracer *x, const Ray *r, const Path *path);
+static Pixel trace_ray(Tracer *x, Ray *r, const Path *path);
 
 static Rgb pixel_rgb(Pixel p) { return rgb(p.r, p.g, p.b); }
-static bool is_nothing(Rgb c) { return c.r == 0 && c.g == 0 && c.b == 0; }
 
 /* ---- light on a surface ---- */
 
@@ -75,37 +75,31 @@ static bool is_double_illuminated(const Hit *h)
 }
 
 /* Light of one colour from one direction, on all layers. */
-static Rgb lit_from(const Surface *at, const LayerAt *layers, int n, const Light *l, const LightAt *lit)
+static void gather_from(const Surface *at, LayerAt *layers, int n, const Light *l, const LightAt *lit)
 {
-    Vec3 to_light = lit->direction;
-    Rgb color = lit->color;
-    double cosine = vec_dot(at->normal, to_light);
+    double cosine = vec_dot(at->normal, lit->direction);
     bool is_facing = cosine >= GRAZING_LIGHT, is_back = !is_facing && !is_double_illuminated(at->hit);
     bool has_highlights = is_facing && !l->is_shadowless;
-    Rgb sum = rgb(0, 0, 0);
     for (int i = 0; i < n; i++) {
-        const LayerAt *on = &layers[i];
-        double diffuse = finish_diffuse(on->finish, cosine, is_back) * on->opacity;
-        Rgb light = rgb_mul(rgb_scale(on->pigment, diffuse), color);
-        if (has_highlights && finish_shines(on->finish))
-            light = rgb_add(light, finish_highlights(on->finish, on->pigment, at->normal, at->ray->dir, to_light, color));
-        sum = rgb_add(sum, rgb_mul(on->weight, light));
+        LayerAt *on = &layers[i];
+        const Finish *f = on->finish;
+        on->diffuse = rgb_add(on->diffuse, rgb_scale(lit->color, finish_diffuse(f, cosine, is_back)));
+        if (has_highlights && finish_shines(f))
+            on->shine = rgb_add(on->shine, finish_highlights(f, on->pigment, at->normal, at->ray->dir, lit->direction,
+                                                             lit->color));
     }
-    return sum;
 }
 
 /* `area_illumination`: every sample shines for itself, all with the one shadow. */
-static Rgb lit_by_area(const Surface *at, const LayerAt *layers, int n, const Light *l, Rgb shadow)
+static void gather_from_area(const Surface *at, LayerAt *layers, int n, const Light *l, Rgb shadow)
 {
-    Rgb sum = rgb(0, 0, 0);
     double share = 1. / ((double)l->area_n_u * l->area_n_v);
     for (int j = 0; j < l->area_n_v; j++)
         for (int i = 0; i < l->area_n_u; i++) {
             LightAt lit = light_at(l, shadow_area_sample(l, at->point, i, j), at->point);
             lit.color = rgb_scale(rgb_mul(lit.color, shadow), share);
-            sum = rgb_add(sum, lit_from(at, layers, n, l, &lit));
+            gather_from(at, layers, n, l, &lit);
         }
-    return sum;
 }
 
 static Rgb quotient(Rgb a, Rgb b)
@@ -113,27 +107,34 @@ static Rgb quotient(Rgb a, Rgb b)
     return rgb(b.r != 0 ? a.r / b.r : 0, b.g != 0 ? a.g / b.g : 0, b.b != 0 ? a.b / b.b : 0);
 }
 
-static Rgb lit_by_light(const Shadow *shadow, const LayerAt *layers, int n, const Light *l, int quality)
+static void gather(const Shadow *shadow, LayerAt *layers, int n, const Light *l, int quality)
 {
     const Surface *at = shadow->at;
-    bool is_spread = l->is_area && l->area_illumination && quality >= Q_AREA_LIGHTS;
+    bool is_spread = !l->is_plain && l->is_area && l->area_illumination && quality >= Q_AREA_LIGHTS;
     LightAt lit = light_at(l, l->position, at->point);
     bool is_facing = vec_dot(at->normal, lit.direction) >= GRAZING_LIGHT;
-    if (!is_facing && !is_spread && !any_lit_from_behind(layers, n) && !is_double_illuminated(at->hit)) return rgb(0, 0, 0);
-    Rgb arriving = quality >= Q_SHADOWS ? shadow_light(shadow, l, &lit) : lit.color;
-    if (is_nothing(arriving)) return arriving;
-    if (is_spread) return lit_by_area(at, layers, n, l, quotient(arriving, lit.color));
-    lit.color = arriving;
-    return lit_from(at, layers, n, l, &lit);
+    if (!is_facing && !is_spread && !any_lit_from_behind(layers, n) && !is_double_illuminated(at->hit)) return;
+    Rgb unblocked = lit.color;
+    if (quality >= Q_SHADOWS && !shadow_light(shadow, l, &lit)) return;
+    if (is_spread) gather_from_area(at, layers, n, l, quotient(lit.color, unblocked));
+    else gather_from(at, layers, n, l, &lit);
 }
 
-static Rgb lit_by_all(Tracer *x, const Surface *at, const LayerAt *layers, int n, const Path *path)
+static void gather_from_all(Tracer *x, const Surface *at, LayerAt *layers, int n, const Path *path)
+{
+    if (!answers_light(layers, n)) return;
+    Shadow shadow = { at, path->media, &x->around, x->quality >= Q_AREA_LIGHTS, path->kind == RAY_CAMERA, x->trace };
+    for (size_t i = 0; i < x->scene->n_lights; i++) gather(&shadow, layers, n, &x->scene->lights[i], x->quality);
+}
+
+static Rgb gathered(const LayerAt *layers, int n)
 {
     Rgb sum = rgb(0, 0, 0);
-    if (!answers_light(layers, n)) return sum;
-    Shadow shadow = { at, path->media, &x->around, x->quality >= Q_AREA_LIGHTS, path->kind == RAY_CAMERA, x->trace };
-    for (size_t i = 0; i < x->scene->n_lights; i++)
-        sum = rgb_add(sum, lit_by_light(&shadow, layers, n, &x->scene->lights[i], x->quality));
+    for (int i = 0; i < n; i++) {
+        const LayerAt *l = &layers[i];
+        Rgb light = rgb_add(rgb_mul(rgb_scale(l->pigment, l->opacity), l->diffuse), l->shine);
+        sum = rgb_add(sum, rgb_mul(l->weight, light));
+    }
     return sum;
 }
 
@@ -146,7 +147,7 @@ static double opacity_of(const Scene *s, Color c)
     return 1 - filter - (double)c.transmit;
 }
 
-static double transmit_of(Rgb through) { return fmin(1, fabs(rgb_grey(through))); }
+static double transmit_of(Rgb through) { return double_min(fabs(rgb_grey(through)), 1); }
 
 static Rgb conserved(Rgb through, Rgb r)
 {
@@ -161,6 +162,9 @@ static Rgb reflectivity(Tracer *x, const Surface *at, const Medium *media, const
     return finish_reflectivity(f, pigment, at->cos_view, ratio);
 }
 
+/* What a layer shines with by itself. */
+static Rgb own_light(const Scene *s, const Finish *f) { return rgb_add(rgb_mul(f->ambient, s->ambient_light), f->emission); }
+
 /* Walks the layers from the top down for as long as anything comes through; returns how many were seen. */
 static int walk_layers(Tracer *x, const Surface *at, const Medium *media, LayerAt *out, Rgb *through)
 {
@@ -169,26 +173,16 @@ static int walk_layers(Tracer *x, const Surface *at, const Medium *media, LayerA
     int n = 0;
     for (int i = at->texture->n_layers - 1; i >= 0 && transmit_of(F) > s->adc_bailout; i--) {
         const Layer *layer = &at->texture->layers[i];
+        const Finish *f = &layer->finish;
         Color c = surface_color(at, layer);
         Rgb pigment = color_rgb(c);
-        Rgb r = reflectivity(x, at, media, &layer->finish, pigment);
-        out[n++] = (LayerAt){ &layer->finish, pigment, F, opacity_of(s, c), r };
+        Rgb r = reflectivity(x, at, media, f, pigment);
+        out[n++] = (LayerAt){ f, pigment, F, opacity_of(s, c), r, own_light(s, f), rgb(0, 0, 0) };
         F = rgb_mul(F, rgb_add(rgb_scale(pigment, c.filter), rgb(c.transmit, c.transmit, c.transmit)));
-        if (layer->finish.conserve_energy) F = conserved(F, r);
+        if (f->conserve_energy) F = conserved(F, r);
     }
     *through = F;
     return n;
-}
-
-static Rgb own_light(const Scene *s, const LayerAt *layers, int n)
-{
-    Rgb sum = rgb(0, 0, 0);
-    for (int i = 0; i < n; i++) {
-        const LayerAt *l = &layers[i];
-        Rgb glow = rgb_add(rgb_mul(l->finish->ambient, s->ambient_light), l->finish->emission);
-        sum = rgb_add(sum, rgb_mul(l->weight, rgb_scale(rgb_mul(l->pigment, glow), l->opacity)));
-    }
-    return sum;
 }
 
 /* ---- secondary rays ---- */
@@ -287,7 +281,8 @@ static Pixel shade_texture(Tracer *x, const Surface *at, const Path *path)
     LayerAt few[FEW_LAYERS], *layers = few;
     if (at->texture->n_layers > FEW_LAYERS) layers = ARENA_ARRAY(x->trace->scratch, LayerAt, at->texture->n_layers);
     int n = walk_layers(x, at, path->media, layers, &through);
-    Rgb sum = rgb_add(own_light(x->scene, layers, n), lit_by_all(x, at, layers, n, path));
+    gather_from_all(x, at, layers, n, path);
+    Rgb sum = gathered(layers, n);
     if (!x->scene->needs_secondary_rays) return (Pixel){ sum.r, sum.g, sum.b, 0 };
     Pixel behind = { 0 };
     double transmit = transmit_of(through);
@@ -350,21 +345,22 @@ static void count_ray(Counters *c, RayKind kind)
     if (kind == RAY_TRANSMITTED) c->transmitted_rays++;
 }
 
-/* POV-Ray does not count a ray that goes straight on as a level, but does not let it begin at the last one either. */
-static Pixel trace_ray(Tracer *x, const Ray *ray, const Path *path)
+/* Moves r's beginning past the surface that it has left.
+ *
+ * POV-Ray does not count a ray that goes straight on as a level, but does not let it begin at the last one either. */
+static Pixel trace_ray(Tracer *x, Ray *r, const Path *path)
 {
     const Scene *s = x->scene;
     if (path->level + path->is_straight >= s->max_trace_level || path->weight < s->adc_bailout) return (Pixel){ 0 };
     count_ray(&x->trace->counters, path->kind);
-    Ray r = *ray;
     Hit h;
-    bool is_hit = nearest_hit(x, &r, path, &h);
-    Pixel seen = is_hit ? shade_hit(x, &r, &h, path) : sky_color(s, r.dir);
+    bool is_hit = nearest_hit(x, r, path, &h);
+    Pixel seen = is_hit ? shade_hit(x, r, &h, path) : sky_color(s, r->dir);
     bool has_fog = s->n_fogs > 0 && x->quality >= Q_FOG && media_let_fog_in(media_known(&x->around, path->media));
-    return has_fog ? sky_through_fog(s, &r, h.t, seen) : seen;
+    return has_fog ? sky_through_fog(s, r, h.t, seen) : seen;
 }
 
-Pixel shade_camera_ray(const Scene *s, const Ray *r, int quality, Trace *t)
+Pixel shade_camera_ray(const Scene *s, Ray *r, int quality, Trace *t)
 {
     ArenaMark mark = arena_mark(t->scratch);
     Tracer x = { s, t, quality, { .scene = s, .scratch = t->scratch, .camera = r->origin }, apex_make(r->origin) };

@@ -6,6 +6,6 @@
 #include "render/scene.h"
 
 /* The colour seen along a camera ray, with quality +Q. */
-Pixel shade_camera_ray(const Scene *s, const Ray *r, int quality, Trace *t);
+Pixel shade_camera_ray(const Scene *s, Ray *r, int quality, Trace *t);
 
 #endif

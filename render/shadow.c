@@ -30,16 +30,23 @@ static Rgb through_map(const Surface *blocker, Rgb light)
     return sum;
 }
 
+/* What a hit does to light: where its texture is the same everywhere and on either side, that is all there is to know. */
+static Rgb through_surface(const Scene *s, const Ray *r, const Hit *h, float caustics, Rgb light)
+{
+    const Object *o = hit_textured_object(h);
+    Surface blocker = { .texture = o ? o->texture : NULL };
+    bool is_alike = o && o->is_even && !o->interior_texture && !(caustics > 0);
+    if (!is_alike) surface_at(s, r, h, &blocker);
+    light = through_layers(&blocker, light);
+    return caustics > 0 ? rgb_scale(light, 1 + pow(blocker.cos_view, 45 * (double)caustics)) : light;
+}
+
 /* Light goes straight on through glass; `caustics` imitates the bundling by a lens. */
 static Rgb past_blocker(const Shadow *q, const Ray *r, const Hit *h, const Medium **media, Rgb light)
 {
-    Surface blocker;
-    surface_at(q->around->scene, r, h, &blocker);
-    light = through_layers(&blocker, light);
     const Interior *interior = hit_interior(h);
+    light = through_surface(q->around->scene, r, h, interior ? interior->caustics : 0, light);
     if (!interior) return light;
-    if (interior->caustics > 0)
-        light = rgb_scale(light, 1 + pow(blocker.cos_view, 45 * (double)interior->caustics));
     if (!interior_fades(interior) || !(interior->fade_power > 0)) return light;
     Crossing c = media_cross(q->around, *media, h);
     *media = c.after;
@@ -62,30 +69,29 @@ static Rgb light_past(const Shadow *q, Ray *r, const HitList *filters, Rgb light
 }
 
 /* All filters at once: mostly the light goes on through them. */
-static Rgb light_along(const Shadow *q, Ray *r, double t_max, Rgb light)
+static Rgb through_filters(const Shadow *q, Ray *r, double t_max, Rgb light)
 {
-    const Scene *s = q->around->scene;
-    if (scene_blocks(s, r, t_max, q->trace)) return rgb(0, 0, 0);
-    if (!s->has_filters) return light;
     MediaScope scope = media_open(q->around);
     HitList filters = hit_list_make(q->around->scratch, t_max);
-    scene_filters(s, r, &filters, q->trace);
+    scene_filters(q->around->scene, r, &filters, q->trace);
     light = light_past(q, r, &filters, light);
     media_close(q->around, scope);
     return light;
 }
 
-/* The light from `to`, at the end of a ray along the unit vector `dir`. */
-static Rgb light_from(const Shadow *q, const Vec3 *dir, const Vec3 *to, Rgb light)
+/* What of the light from `to`, at the end of a ray along the unit vector `dir`, arrives. false: nothing. */
+static bool light_from(const Shadow *q, const Vec3 *dir, const Vec3 *to, Rgb *light)
 {
+    const Scene *s = q->around->scene;
     Ray r = { surface_leave(q->at, *dir), *dir, 0 };
     double t_max = surface_stop_before(r.origin, *to, vec_dot(vec_sub(*to, r.origin), r.dir));
-    if (!(t_max > 0)) return light;   /* a parallel light's plane is behind the point: nothing can stand between */
+    if (!(t_max > 0)) return true;   /* a parallel light's plane is behind the point: nothing can stand between */
     q->trace->is_shadow_ray = true;
     q->trace->counters.shadow_rays++;
-    light = light_along(q, &r, t_max, light);
+    bool is_blocked = scene_blocks(s, &r, t_max, q->trace);
+    if (!is_blocked && s->has_filters) *light = through_filters(q, &r, t_max, *light);
     q->trace->is_shadow_ray = false;
-    return light;
+    return !is_blocked;
 }
 
 /* ---- area lights ---- */
@@ -133,7 +139,8 @@ static Rgb sample_light(const Area *a, int i, int j)
     if (!s->is_known) {
         Vec3 to = shadow_area_sample(a->light, a->q->at->point, i, j);
         Vec3 dir = vec_normalize(vec_sub(to, a->q->at->point));
-        *s = (Sample){ light_from(a->q, &dir, &to, a->color), true };
+        *s = (Sample){ a->color, true };
+        if (!light_from(a->q, &dir, &to, &s->light)) s->light = rgb(0, 0, 0);
     }
     return s->light;
 }
@@ -171,21 +178,23 @@ static Rgb area_light(const Shadow *q, const Light *l, Rgb color)
     return mean;
 }
 
-static Rgb light_from_point(const Shadow *q, const Light *l, const LightAt *lit)
+static bool light_from_point(const Shadow *q, const Light *l, LightAt *lit)
 {
     Apex apex = apex_make(l->position);
     if (q->has_neighbours && q->trace->pencils) q->trace->apex = &apex;
-    Rgb light = light_from(q, &lit->direction, &l->position, lit->color);
+    bool is_lit = light_from(q, &lit->direction, &l->position, &lit->color);
     q->trace->apex = NULL;
-    return light;
+    return is_lit;
 }
 
-Rgb shadow_light(const Shadow *q, const Light *l, const LightAt *lit)
+bool shadow_light(const Shadow *q, const Light *l, LightAt *lit)
 {
     q->trace->blockers.aim = l;
-    if (l->is_shadowless || is_black(lit->color)) return lit->color;
-    if (l->is_area && q->has_areas) return area_light(q, l, lit->color);
+    if (l->is_plain) return light_from_point(q, l, lit);
+    if (is_black(lit->color)) return false;
+    if (l->is_shadowless) return true;
+    if (l->is_area && q->has_areas) return lit->color = area_light(q, l, lit->color), true;
     if (!light_is_parallel(l)) return light_from_point(q, l, lit);
     Vec3 to = vec_add(q->at->point, vec_scale(lit->direction, lit->distance));
-    return light_from(q, &lit->direction, &to, lit->color);
+    return light_from(q, &lit->direction, &to, &lit->color);
 }

@@ -14,9 +14,9 @@ typedef struct {
     Trace *trace;
 } Shadow;
 
-/* The light that arrives: lit->color (of light_at for the light's own position) less what the blockers take. For area lights
- * the mean over the samples, taken adaptively as POV-Ray does. */
-Rgb shadow_light(const Shadow *q, const Light *l, const LightAt *lit);
+/* Leaves in lit->color (of light_at for the light's own position) what arrives: less what the blockers take. For area lights
+ * the mean over the samples, taken adaptively as POV-Ray does. false: nothing. */
+bool shadow_light(const Shadow *q, const Light *l, LightAt *lit);
 
 /* Where sample (i, j) of an area light is, seen from `point`; i < l->area_n_u, j < l->area_n_v. */
 Vec3 shadow_area_sample(const Light *l, Vec3 point, int i, int j);

@@ -117,8 +117,6 @@ static void prepare(Shape *s, Arena *own, Trace *t)
 void shape_prepare(Shape *s, Trace *t) { prepare(s, NULL, t); }
 void shape_prepare_in(Shape *s, Arena *own, Trace *t) { prepare(s, own, t); }
 
-bool shape_was_prepared(const Shape *s) { return atomic_load_explicit(&s->state, memory_order_acquire) == SHAPE_READY; }
-
 void shape_release(Shape *s)
 {
     if (s->type->release) s->type->release(s);
@@ -127,23 +125,8 @@ void shape_release(Shape *s)
     if (s->type->prepare) atomic_store(&s->state, SHAPE_RAW);
 }
 
-/* Preparing is the one change that a shape makes after it was built, and it makes it under a lock: callers may keep their
- * shapes const. */
-static void prepare_on_first_use(const Shape *s, Trace *t)
+bool shape_blocks_by_hit(const Shape *s, const Ray *r, double t_max, Trace *t)
 {
-    if (!shape_was_prepared(s)) shape_prepare((Shape *)s, t);
-}
-
-bool shape_hit(const Shape *s, const Ray *r, Hit *best, Trace *t)
-{
-    prepare_on_first_use(s, t);
-    return s->type->hit(s, r, best, t);
-}
-
-bool shape_blocks(const Shape *s, const Ray *r, double t_max, Trace *t)
-{
-    prepare_on_first_use(s, t);
-    if (s->type->blocks) return s->type->blocks(s, r, t_max, t);
     Hit nearest = { .t = t_max };
     return s->type->hit(s, r, &nearest, t);
 }

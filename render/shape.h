@@ -29,9 +29,9 @@ typedef struct {
     PencilMemory *pencils;   /* what is known of such rays; NULL: no ray has an apex */
     /* The frame of the last direction, for shapes that see a ray as two planes: unit d, perpendicular unit n1 and n2. */
     struct { Vec3 dir; double length; Vec3 d, n1, n2; } frame;
-    /* The last root that was accepted: where rays that leave from it find their own surface again. It counts only while
-     * `seed` is the same, so that no pixel depends on another. */
-    struct { const void *leaf; double s, t; uint64_t seed; } root;
+    /* The last root that was accepted, by its patch: rays that leave from it find their own surface again there, or are sure
+     * not to. It counts only while `seed` is the same, so that no pixel depends on another. */
+    struct { const void *patch; double s, t; uint64_t seed; } root;
 } Trace;
 
 typedef struct HitList HitList;     /* all hits of a ray in order of t, for CSG */
@@ -39,18 +39,22 @@ typedef struct MeshSink MeshSink;   /* receives triangles, for export */
 typedef struct Sdl Sdl;             /* receives scene text, for export */
 typedef struct Bvh Bvh;             /* a tree of boxes */
 
-typedef struct {
+typedef struct ShapeType ShapeType;
+struct ShapeType {
     const char *name;   /* the scene's word, and the key in --stats */
     Box  (*bounds)    (const Shape *s);                                       /* contains every hit; pure; before prepare */
     void (*prepare)   (Shape *s, Arena *own, Trace *t);   /* once, when a first ray reaches the bounds; NULL: nothing */
     bool (*hit)       (const Shape *s, const Ray *r, Hit *best, Trace *t);    /* nearest in (r->t_min, best->t) */
     bool (*blocks)    (const Shape *s, const Ray *r, double t_max, Trace *t); /* any in (r->t_min, t_max); NULL: by hit() */
     /* Its own tree of boxes, to be joined with others into the tree of a compound around it, so that a ray walks one tree
-     * and not two; prepares it, as shape_prepare_in. The compound then asks for its items one by one: as hit() and blocks().
-     * NULL: it has none. */
-    const Bvh *(*lend)(Shape *s, Arena *own, Trace *t);
-    bool (*hit_item)  (const Shape *s, uint32_t item, const Ray *r, Hit *best, Trace *t);
-    bool (*item_blocks)(const Shape *s, uint32_t item, const Ray *r, double t_max, Trace *t);
+     * and not two; prepares it, as shape_prepare_in. Items are then asked for one by one, of the type that is said to lend
+     * them: as hit() and blocks(), by their number and where they lie (bvh_item), which is all that is read of the shape
+     * unless there is a hit. took() adds what a shape around that type's own has to say of the hit. NULL: nothing; no tree. */
+    const Bvh *(*lend)(Shape *s, Arena *own, Trace *t, const ShapeType **lender);
+    bool (*hit_item)  (const void *at, uint32_t item, const Ray *r, Hit *best, Trace *t);
+    bool (*item_blocks)(const void *at, uint32_t item, const Ray *r, double t_max, Trace *t);
+    void (*took)      (const Shape *s, const Ray *r, Hit *best);
+    const Shape *(*bare)(const Shape *s);   /* what answers blocks() in its place; NULL: itself */
     void (*all_hits)  (const Shape *s, const Ray *r, HitList *out, Trace *t); /* appends, by t; NULL: hit() repeated */
     bool (*inside)    (const Shape *s, Vec3 p);                               /* NULL: a surface without an inside */
     Box  (*inside_bounds)(const Shape *s);                                    /* of all that is inside; NULL: bounds() */
@@ -63,7 +67,7 @@ typedef struct {
     Shape *(*with_parts)(const Shape *s, Arena *a, Shape *const parts[], bool is_inverse, const Xform *moved);
     unsigned (*looks) (const Shape *s);            /* of a primitive's own textures: as object_looks; NULL: it has none */
     void (*release)   (Shape *s);                                             /* NULL: the arenas have it all */
-} ShapeType;
+};
 /* On a miss hit() returns false and has not touched *best. r->dir need not have length 1; t is in units of r->dir.
  * attributes() gets the ray in the space of the shape, and h as hit() left it there. */
 
@@ -91,13 +95,32 @@ void shape_prepare_in(Shape *s, Arena *own, Trace *t);
 typedef void ShapeWork(void *context, uint32_t i, Arena *own, Trace *t);
 void shape_share_work(const Shape *s, Arena *own, uint32_t n, ShapeWork *work, void *context, Trace *t);
 
-bool shape_was_prepared(const Shape *s);       /* did any ray ever reach it? for --stats: what was left out */
+/* Did any ray ever reach it? For --stats, too: what was left out. */
+static inline bool shape_was_prepared(const Shape *s)
+{
+    return atomic_load_explicit(&s->state, memory_order_acquire) == SHAPE_READY;
+}
 void shape_release(Shape *s);                  /* type->release, then the arena of prepare() */
 
-/* The calls through the table: prepare on first use. */
+/* The calls through the table: prepare on first use. Preparing is the one change that a shape makes after it was built, and it
+ * makes it under a lock: callers may keep their shapes const. */
+static inline void shape_be_prepared(const Shape *s, Trace *t)
+{
+    if (!shape_was_prepared(s)) shape_prepare((Shape *)s, t);
+}
+static inline bool shape_hit(const Shape *s, const Ray *r, Hit *best, Trace *t)
+{
+    shape_be_prepared(s, t);
+    return s->type->hit(s, r, best, t);
+}
+bool shape_blocks_by_hit(const Shape *s, const Ray *r, double t_max, Trace *t);   /* of a shape without blocks() */
+static inline bool shape_blocks(const Shape *s, const Ray *r, double t_max, Trace *t)
+{
+    shape_be_prepared(s, t);
+    return s->type->blocks ? s->type->blocks(s, r, t_max, t) : shape_blocks_by_hit(s, r, t_max, t);
+}
+static inline const Shape *shape_bare(const Shape *s) { return s->type->bare ? s->type->bare(s) : s; }
 static inline Box shape_bounds(const Shape *s) { return s->type->bounds(s); }
-bool shape_hit(const Shape *s, const Ray *r, Hit *best, Trace *t);
-bool shape_blocks(const Shape *s, const Ray *r, double t_max, Trace *t);
 static inline bool shape_inside(const Shape *s, Vec3 p) { return s->type->inside && s->type->inside(s, p); }
 static inline Box shape_inside_bounds(const Shape *s)
 {

@@ -6,9 +6,10 @@
 
 typedef struct {
     const Shape *shape;
+    const Shape *bare;         /* what it is to those who only ask whether it blocks */
     uint32_t first_index;      /* primitives of the parts before it */
-    uint32_t rank;             /* of two hits at the same t the one of lower rank wins */
-    unsigned flags;
+    unsigned char flags;
+    bool has_took;             /* its type has: the shape need not be read for it */
 } Part;
 
 /* What the joined tree has: an item of a part, or the part itself. */
@@ -21,22 +22,16 @@ typedef struct {
 struct ShapeTree {
     const Part *parts;
     uint32_t n;
+    unsigned flags;            /* that any of them has */
+    uint32_t lowest_rank;      /* of a part in a tree: unbounded ones may come before all others */
     Bvh *bvh;                  /* over all parts; the boxes of unbounded ones were given as empty */
     Bvh *joined;               /* with the trees that parts lend in place of their boxes; NULL: none does */
     const Item *items;         /* of `joined` */
+    const Bvh *searched;       /* of the two, for one hit or whether there is any; NULL: there is nothing in it */
+    const ShapeType *lender;   /* of all that lend */
     const uint32_t *unbounded;
     uint32_t n_unbounded;
 };
-
-static void rank_parts(Part *parts, uint32_t n, const uint32_t *unbounded, uint32_t n_unbounded, bool unbounded_first)
-{
-    uint32_t next = unbounded_first ? n_unbounded : 0;
-    for (uint32_t i = 0, k = 0; i < n; i++) {
-        bool is_unbounded = k < n_unbounded && unbounded[k] == i;
-        parts[i].rank = unbounded_first && is_unbounded ? k : next++;
-        k += is_unbounded;
-    }
-}
 
 /* What stands in a tree for a part with these bounds; empty: they have no end, or there is nothing in them. */
 static Box tree_box(Box bounds) { return box_is_finite(bounds) ? bounds : box_empty(); }
@@ -49,16 +44,18 @@ ShapeTree *shape_tree_build(Arena *a, Shape *const shapes[], const unsigned char
     Arena *scratch = arena_new();
     Box *boxes = ARENA_ARRAY(scratch, Box, n);
     for (uint32_t i = 0; i < n; i++) {
-        parts[i] = (Part){ shapes[i], index, 0, flags ? flags[i] : 0 };
+        parts[i] = (Part){ shapes[i], shape_bare(shapes[i]), index, flags ? flags[i] : 0, shapes[i]->type->took != NULL };
+        tree->flags |= parts[i].flags;
         index += shapes[i]->n_primitives;
         Box bounds = shape_bounds(shapes[i]);
         boxes[i] = tree_box(bounds);
         if (!box_is_empty(bounds) && box_is_empty(boxes[i])) unbounded[tree->n_unbounded++] = i;
     }
-    rank_parts(parts, n, unbounded, tree->n_unbounded, unbounded_first);
     tree->parts = parts, tree->n = n;
+    tree->lowest_rank = unbounded_first ? n : 0;
     tree->unbounded = unbounded;
     tree->bvh = bvh_build(a, boxes, n, BVH_SAH);
+    tree->searched = bvh_node_count(tree->bvh) > 0 ? tree->bvh : NULL;
     arena_free(scratch);
     return tree;
 }
@@ -67,6 +64,7 @@ ShapeTree *shape_tree_build(Arena *a, Shape *const shapes[], const unsigned char
 typedef struct {
     const ShapeTree *tree;
     const Bvh **lent;
+    const ShapeType **lenders;
     Box *boxes;
 } Lending;
 
@@ -74,15 +72,19 @@ static void lend_part(void *context, uint32_t i, Arena *own, Trace *t)
 {
     const Lending *k = context;
     Shape *s = (Shape *)k->tree->parts[i].shape;    /* preparing it is the one change that is made to a shape */
-    k->lent[i] = s->type->lend ? s->type->lend(s, own, t) : NULL;
+    k->lent[i] = s->type->lend ? s->type->lend(s, own, t, &k->lenders[i]) : NULL;
     k->boxes[i] = k->lent[i] ? bvh_bounds(k->lent[i]) : tree_box(shape_bounds(s));
 }
 
-static bool any_lent(const Lending *k)
+/* All items of a tree are asked for in the same way: what the first lender's type is. NULL: nobody lends. */
+static const ShapeType *choose_lender(const Lending *k)
 {
-    for (uint32_t i = 0; i < k->tree->n; i++)
-        if (k->lent[i]) return true;
-    return false;
+    const ShapeType *lender = NULL;
+    for (uint32_t i = 0; i < k->tree->n; i++) {
+        if (k->lent[i] && !lender) lender = k->lenders[i];
+        if (k->lent[i] && k->lenders[i] != lender) k->lent[i] = NULL;
+    }
+    return lender;
 }
 
 static void join(ShapeTree *tree, Arena *a, const Lending *k, Arena *scratch)
@@ -96,62 +98,63 @@ static void join(ShapeTree *tree, Arena *a, const Lending *k, Arena *scratch)
                                      : (Item){ i, ALL_OF_IT, tree->parts[i].shape };
     tree->items = items;
     tree->joined = bvh_join(a, k->boxes, k->lent, first, tree->n);
-    bvh_set_items(tree->joined, items, sizeof *items);
+    bvh_set_items(tree->joined, &(BvhItems){ items, sizeof *items, NULL, 0 });
+    tree->searched = tree->joined;
 }
 
 void shape_tree_join(ShapeTree *tree, const Shape *whole, Arena *a, Trace *t)
 {
     Arena *scratch = arena_new();
-    Lending k = { tree, ARENA_ARRAY(scratch, const Bvh *, tree->n), ARENA_ARRAY(scratch, Box, tree->n) };
+    Lending k = { tree, ARENA_ARRAY(scratch, const Bvh *, tree->n), ARENA_ARRAY(scratch, const ShapeType *, tree->n),
+                  ARENA_ARRAY(scratch, Box, tree->n) };
     shape_share_work(whole, a, tree->n, lend_part, &k, t);
-    if (any_lent(&k)) join(tree, a, &k, scratch);
+    tree->lender = choose_lender(&k);
+    if (tree->lender) join(tree, a, &k, scratch);
     arena_free(scratch);
 }
 
-/* The tree for one hit, and what its items are. What an item is comes from memory while its shape is looked at. */
-static const Bvh *tree_searched(const ShapeTree *tree) { return tree->joined ? tree->joined : tree->bvh; }
-
+/* What an item of the tree that is searched is: it comes from memory while it is looked at. */
 static Item item_at(const ShapeTree *tree, uint32_t i, const Trace *t)
 {
     if (!tree->joined) return (Item){ i, ALL_OF_IT, NULL };
     Item item = tree->items[i];
-    if (t->fetches_ahead && item.at) __builtin_prefetch(item.at), __builtin_prefetch((const char *)item.at + 64);
+    if (t->fetches_ahead) {
+        __builtin_prefetch(&tree->parts[item.part]);
+        if (item.at) __builtin_prefetch(item.at), __builtin_prefetch((const char *)item.at + 64);
+    }
     return item;
-}
-
-/* An item of the tree that is searched, alone. */
-static bool hit_item(const ShapeTree *tree, Item i, const Ray *r, Hit *best, Trace *t)
-{
-    const Shape *s = tree->parts[i.part].shape;
-    return i.item == ALL_OF_IT ? shape_hit(s, r, best, t) : s->type->hit_item(s, i.item, r, best, t);
-}
-
-static bool item_blocks(const ShapeTree *tree, Item i, const Ray *r, double t_max, Trace *t)
-{
-    const Shape *s = tree->parts[i.part].shape;
-    return i.item == ALL_OF_IT ? shape_blocks(s, r, t_max, t) : s->type->item_blocks(s, i.item, r, t_max, t);
 }
 
 typedef struct {
     const ShapeTree *tree;
-    unsigned skip;
+    unsigned skip;             /* 0: no part has any of these flags */
     Hit *best;
     int64_t best_rank;         /* -1: *best comes from elsewhere, and keeps ties */
 } Search;
 
-/* A part of lower rank is asked for hits up to and including the best so far. */
-static bool meet_nearest(Search *s, Item i, const Ray *r, double *t_max, Trace *t)
+static bool hit_item(const ShapeTree *tree, Item i, const Ray *r, Hit *best, Trace *t)
+{
+    if (i.item == ALL_OF_IT) return shape_hit(tree->parts[i.part].shape, r, best, t);
+    if (!tree->lender->hit_item(i.at, i.item, r, best, t)) return false;
+    const Part *p = &tree->parts[i.part];
+    if (p->has_took) p->shape->type->took(p->shape, r, best);
+    return true;
+}
+
+/* A part of lower rank is asked for hits up to and including the best so far. Of a part nothing is read without need: in a
+ * large tree it is not in the cache. */
+static bool meet_nearest(Search *s, Item i, int64_t rank, const Ray *r, double *t_max, Trace *t)
 {
     const Part *p = &s->tree->parts[i.part];
-    if (p->flags & s->skip) return false;
+    if (s->skip && p->flags & s->skip) return false;
     double before = s->best->t;
-    if (p->rank < s->best_rank) s->best->t = nextafter(before, INFINITY);
+    if (rank < s->best_rank) s->best->t = double_neighbour(before, 1);
     if (!hit_item(s->tree, i, r, s->best, t)) {
         s->best->t = before;
         return false;
     }
     s->best->index += p->first_index;
-    s->best_rank = p->rank;
+    s->best_rank = rank;
     *t_max = s->best->t;
     return false;
 }
@@ -159,16 +162,17 @@ static bool meet_nearest(Search *s, Item i, const Ray *r, double *t_max, Trace *
 static bool visit_nearest(void *context, uint32_t i, const Ray *r, double *t_max, Trace *t)
 {
     Search *s = context;
-    return meet_nearest(s, item_at(s->tree, i, t), r, t_max, t);
+    Item item = item_at(s->tree, i, t);
+    return meet_nearest(s, item, (int64_t)s->tree->lowest_rank + item.part, r, t_max, t);
 }
 
 bool shape_tree_hit(const ShapeTree *tree, const Ray *r, unsigned skip, Hit *best, Trace *t)
 {
-    Search s = { tree, skip, best, -1 };
+    Search s = { tree, skip & tree->flags, best, -1 };
     double t_max = best->t;
     for (uint32_t i = 0; i < tree->n_unbounded; i++)
-        meet_nearest(&s, (Item){ tree->unbounded[i], ALL_OF_IT, NULL }, r, &t_max, t);
-    bvh_traverse(tree_searched(tree), r, &t_max, visit_nearest, &s, t);
+        meet_nearest(&s, (Item){ tree->unbounded[i], ALL_OF_IT, NULL }, tree->unbounded[i], r, &t_max, t);
+    if (tree->searched) bvh_traverse(tree->searched, r, &t_max, visit_nearest, &s, t);
     return s.best_rank >= 0;
 }
 
@@ -197,7 +201,10 @@ void shape_tree_all_hits(const ShapeTree *tree, const Ray *r, HitList *out, Trac
 
 static bool meet_any(const Search *s, Item i, const Ray *r, const double *t_max, Trace *t)
 {
-    return !(s->tree->parts[i.part].flags & s->skip) && item_blocks(s->tree, i, r, *t_max, t);
+    const Part *p = &s->tree->parts[i.part];
+    if (s->skip && p->flags & s->skip) return false;
+    if (i.item == ALL_OF_IT) return shape_blocks(p->bare, r, *t_max, t);
+    return s->tree->lender->item_blocks(i.at, i.item, r, *t_max, t);
 }
 
 static bool visit_any(void *context, uint32_t i, const Ray *r, double *t_max, Trace *t)
@@ -211,7 +218,7 @@ static bool visit_any(void *context, uint32_t i, const Ray *r, double *t_max, Tr
 static bool is_still_blocked(const Search *s, const Ray *r, double t_max, Trace *t)
 {
     uint32_t i = blocker_recall(&t->blockers, s->tree);
-    if (i >= bvh_item_count(tree_searched(s->tree))) return false;
+    if (i == UINT32_MAX || i >= bvh_item_count(s->tree->searched)) return false;
     if (meet_any(s, item_at(s->tree, i, t), r, &t_max, t)) return true;
     blocker_forget(&t->blockers, s->tree);
     return false;
@@ -219,9 +226,9 @@ static bool is_still_blocked(const Search *s, const Ray *r, double t_max, Trace 
 
 bool shape_tree_blocks(const ShapeTree *tree, const Ray *r, unsigned skip, double t_max, Trace *t)
 {
-    Search s = { tree, skip, NULL, -1 };
-    if (is_still_blocked(&s, r, t_max, t)) return true;
+    Search s = { tree, skip & tree->flags, NULL, -1 };
+    if (tree->searched && is_still_blocked(&s, r, t_max, t)) return true;
     for (uint32_t i = 0; i < tree->n_unbounded; i++)
         if (meet_any(&s, (Item){ tree->unbounded[i], ALL_OF_IT, NULL }, r, &t_max, t)) return true;
-    return bvh_any(tree_searched(tree), r, t_max, visit_any, &s, t);
+    return tree->searched && bvh_any(tree->searched, r, t_max, visit_any, &s, t);
 }

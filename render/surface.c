@@ -2,22 +2,14 @@
  * against self-intersection is hit_offset's (ray.h): by the hit's own error, along the surface's own normal. */
 #include "render/surface.h"
 
-/* Does it matter where on the texture a point lies? */
-static bool texture_varies(const Texture *t)
-{
-    for (int i = 0; i < t->n_layers; i++)
-        if (t->layers[i].pigment->kind != PIGMENT_COLOR) return true;
-    return t->map;
-}
-
 void surface_at(const Scene *s, const Ray *r, const Hit *h, Surface *out)
 {
     Attributes a;
     const Object *o = hit_textured_object(h);
     const Texture *texture = o ? o->texture : s->default_texture;
-    bool varies = texture_varies(texture) || (o && o->interior_texture && texture_varies(o->interior_texture));
-    if (varies) hit_attributes(h, r, &a);
-    else hit_normals(h, r, &a);
+    bool is_even = o ? o->is_even : texture_is_even(texture);
+    if (is_even) hit_normals(h, r, &a);
+    else hit_attributes(h, r, &a);
     double cosine = -vec_dot(r->dir, a.shading_normal);
     bool is_inside = cosine < 0;
     if (is_inside && o && o->interior_texture) texture = o->interior_texture;
@@ -29,7 +21,7 @@ void surface_at(const Scene *s, const Ray *r, const Hit *h, Surface *out)
     out->offset = hit_offset(h, r);
     out->texture = texture;
     out->uv = a.uv;
-    if (!varies) return;
+    if (is_even) return;
     bool by_uv = texture->uv_mapping || (o && o->has_uv_mapping);
     out->texture_point = by_uv ? vec(a.uv.x, a.uv.y, 0) : hit_texture_point(h, out->point);
 }

@@ -53,3 +53,10 @@ bool texture_reflects(const Texture *t)
         if (texture_reflects(t->map->entries[i].texture)) return true;
     return false;
 }
+
+bool texture_is_even(const Texture *t)
+{
+    for (int i = 0; i < t->n_layers; i++)
+        if (t->layers[i].pigment->kind != PIGMENT_COLOR) return false;
+    return !t->map;
+}

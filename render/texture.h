@@ -114,6 +114,7 @@ int texture_choose(const TextureMap *map, Vec3 point, TextureChoice out[2]);
 Texture *texture_transformed(Arena *a, const Texture *t, const Xform *x);
 bool texture_is_opaque(const Texture *t);
 bool texture_reflects(const Texture *t);
+bool texture_is_even(const Texture *t);              /* the same everywhere */
 
 typedef struct Interior {
     float ior, fade_distance, fade_power;            /* 1, 0, 0 */

@@ -137,16 +137,7 @@ static bool invert_linear(const Affine *a, Affine *inverse)
     return true;
 }
 
-static Vec3 affine_vector(const Affine *a, Vec3 v)
-{
-    return vec(v.x * a->m[0][0] + v.y * a->m[1][0] + v.z * a->m[2][0],
-               v.x * a->m[0][1] + v.y * a->m[1][1] + v.z * a->m[2][1],
-               v.x * a->m[0][2] + v.y * a->m[1][2] + v.z * a->m[2][2]);
-}
-
 static Vec3 affine_translation(const Affine *a) { return vec(a->m[3][0], a->m[3][1], a->m[3][2]); }
-
-static Vec3 affine_point(const Affine *a, Vec3 p) { return vec_add(affine_vector(a, p), affine_translation(a)); }
 
 bool xform_from_matrix(const double m[12], Xform *out)
 {
@@ -175,22 +166,6 @@ bool xform_is_identity(const Xform *x)
             if (x->forward.m[i][k] != IDENTITY.m[i][k]) return false;
     return true;
 }
-
-/* n' = n M^-T: the transpose of the inverse, so that n' . v' = n . v for every direction v. */
-static Vec3 normal_by_inverse(const Affine *inverse, Vec3 n)
-{
-    const double (*m)[3] = inverse->m;
-    return vec(n.x * m[0][0] + n.y * m[0][1] + n.z * m[0][2],
-               n.x * m[1][0] + n.y * m[1][1] + n.z * m[1][2],
-               n.x * m[2][0] + n.y * m[2][1] + n.z * m[2][2]);
-}
-
-Vec3 xform_point(const Xform *x, Vec3 p) { return affine_point(&x->forward, p); }
-Vec3 xform_vector(const Xform *x, Vec3 v) { return affine_vector(&x->forward, v); }
-Vec3 xform_normal(const Xform *x, Vec3 n) { return normal_by_inverse(&x->backward, n); }
-Vec3 xform_unpoint(const Xform *x, Vec3 p) { return affine_point(&x->backward, p); }
-Vec3 xform_unvector(const Xform *x, Vec3 v) { return affine_vector(&x->backward, v); }
-Vec3 xform_unnormal(const Xform *x, Vec3 n) { return normal_by_inverse(&x->forward, n); }
 
 /* Each side of the image is a sum of extreme products (a corner of b for each output axis, [Arv90]). Added outward: the
  * sum's rounding, at most 4u of the magnitudes, and as much for each of some 15 maps that x may be composed of, because

@@ -7,12 +7,13 @@
 #include "nurbs/nurbs.h"
 #include "render/hit_list.h"
 
-typedef struct { Arena *arena; Trace trace; } Fixture;
+typedef struct { Arena *arena; PatchGroup group; Trace trace; } Fixture;
 
 static int set_up(void **state)
 {
     static Fixture f;
     f = (Fixture){ .arena = arena_new(), .trace.scratch = arena_new() };
+    f.group.arena = f.arena;
     *state = &f;
     return 0;
 }
@@ -31,7 +32,7 @@ static Tile *rounded_tile(Fixture *f, int k_u, int k_v, Vec4 *p, double error)
     Patch *patch = ARENA_NEW(f->arena, Patch);
     Tile *tile = ARENA_NEW(f->arena, Tile);
     patch_make(f->arena, k_u, k_v, (WideNet){ p, NULL }, error, (TrimRect){ 0, 1, 0, 1 }, patch);
-    patch->arena = f->arena;
+    patch->group = &f->group;
     tile_make(patch, patch->p, (TilePlace){ 0, 0, 1, 1 }, tile);
     return tile;
 }
@@ -137,15 +138,19 @@ static void the_radius_and_the_deviation_bound_the_tile(void **state)
 /* A derivative of the numerator about x, of which `value` is about the patch's origin. */
 static Vec3 column_about(Vec4 by, Vec3 x) { return vec_sub(vec(by.x, by.y, by.z), vec_scale(x, by.w)); }
 
-/* The columns of the Jacobian of w N.(S - x) for points x within the radius of the middle, in the margin too. */
-static void the_variation_bounds_the_derivatives(void **state)
+/* The columns of the Jacobian of w (S - x) for points x within the radius of the middle, in the margin too. */
+static void turn_and_stretch_bound_the_derivatives(void **state)
 {
     Fixture *f = *state;
     const double m = TILE_MARGIN;
     for (unsigned seed = 0; seed < 300; seed++) {
         TestRandom r = test_random(seed);
         const Tile *p = random_part(&r, random_tile(f, &r, seed % 3 ? 0.2 : 1e-12, seed % 2 ? 1 : 3));
-        if (!isfinite(p->variation)) continue;
+        if (!isfinite(p->turn)) continue;
+        Vec3 a = vec_scale(tile_vec(p->half_s), 1.0 / p->length_s), b = vec_scale(tile_vec(p->half_t), 1.0 / p->length_t);
+        Vec3 normal = vec_normalize(vec_cross(a, b));
+        double aa = vec_length2(a), bb = vec_length2(b), sigma = sqrt((aa + bb) / 2 - hypot((aa - bb) / 2, vec_dot(a, b)));
+        CHECK_WITHIN(vec_length(vec_cross(a, b)), p->sine, "seed %u", seed);
         Vec3 middle_s = vec_scale(tile_vec(p->half_s), 2 * p->w_middle);
         Vec3 middle_t = vec_scale(tile_vec(p->half_t), 2 * p->w_middle);
         double unit_s = 2.0 * p->w_middle * p->length_s, unit_t = 2.0 * p->w_middle * p->length_t;
@@ -154,9 +159,13 @@ static void the_variation_bounds_the_derivatives(void **state)
             double s = test_range(&r, -m, 1 + m), t = test_range(&r, -m, 1 + m);
             tile_evaluate(p, &s, &t, &value, &by_s, &by_t);
             Vec3 x = vec_add(tile_vec(p->middle), vec_scale(random_direction(&r), p->radius * test_unit(&r)));
-            double e_s = vec_length(vec_sub(column_about(by_s, x), middle_s)) / unit_s;
-            double e_t = vec_length(vec_sub(column_about(by_t, x), middle_t)) / unit_t;
-            CHECK_WITHIN(hypot(e_s, e_t), p->variation + 1e-12, "seed %u", seed);
+            Vec3 e_s = vec_scale(vec_sub(column_about(by_s, x), middle_s), 1 / unit_s);
+            Vec3 e_t = vec_scale(vec_sub(column_about(by_t, x), middle_t), 1 / unit_t);
+            double up_s = vec_dot(e_s, normal), up_t = vec_dot(e_t, normal);
+            double in_s = vec_length(vec_sub(e_s, vec_scale(normal, up_s)));
+            double in_t = vec_length(vec_sub(e_t, vec_scale(normal, up_t)));
+            CHECK_WITHIN(hypot(up_s, up_t), sigma * p->turn + 1e-12, "seed %u", seed);
+            CHECK_WITHIN(hypot(in_s, in_t), sigma * p->stretch + 1e-12, "seed %u", seed);
         }
     }
 }
@@ -230,6 +239,50 @@ static void the_frame_loses_and_invents_nothing(void **state)
     }
     assert_true(n_roots > 5000);
     assert_true(f->trace.counters.certificates > 0);
+}
+
+/* A ray from about a point of the tile or its margin, a little off it to any side. */
+static PatchRay random_ray_from(TestRandom *r, const Tile *p)
+{
+    TilePlace in = tile_place(p);
+    double s = in.s0 + test_range(r, -.05, 1.05) * in.ds, t = in.t0 + test_range(r, -.05, 1.05) * in.dt;
+    s = double_min(double_max(s, 0), 1), t = double_min(double_max(t, 0), 1);
+    Vec3 at = vec_add(middle_of(p), point_of(p, (s - in.s0) / in.ds, (t - in.t0) / in.dt));
+    Vec3 start = vec_add(at, vec_scale(random_direction(r), pow(10, test_range(r, -13, 0))));
+    double t_min = test_int(r, 0, 2) ? 0 : pow(10, test_range(r, -10, 0));
+    PatchRay ray = patch_ray(start, random_direction(r), t_min, INFINITY);
+    ray.from = p->patch, ray.from_s = s, ray.from_t = t;
+    return ray;
+}
+
+/* It finds what it finds if it does not know the point, and what plain clipping finds; but with fewer tests. */
+static void a_ray_that_knows_where_it_is_from_loses_nothing(void **state)
+{
+    Fixture *f = *state;
+    int n_roots = 0, n_tests[2] = { 0 };
+    for (unsigned seed = 0; seed < 20000; seed++) {
+        TestRandom r = test_random(seed);
+        const Tile *p = random_part(&r, random_tile(f, &r, test_range(&r, 0, 0.3), seed % 2 ? 1 : 4));
+        PatchRay ray = random_ray_from(&r, p), unknowing = ray;
+        Found found = { 0 }, by_frame = { 0 }, by_clipping = { 0 };
+        Counters *count = &f->trace.counters;
+        unknowing.from = NULL;
+        n_tests[0] -= (int)count->nurbs_tests;
+        tile_roots(p, &ray, collect, &found, &f->trace);
+        n_tests[0] += (int)count->nurbs_tests, n_tests[1] -= (int)count->nurbs_tests;
+        tile_roots(p, &unknowing, collect, &by_frame, &f->trace);
+        n_tests[1] += (int)count->nurbs_tests;
+        clip_roots(p, &unknowing, collect, &by_clipping, &f->trace);
+        for (int i = 0; i < found.n; i++)
+            CHECK(has_depth(&by_frame, found.depth[i], found.error[i]), "seed %u", seed);
+        for (int i = 0; i < by_clipping.n; i++) {
+            if (by_clipping.depth[i] <= ray.t_min + 2 * by_clipping.error[i]) continue;    /* it may as well be behind */
+            CHECK(has_depth(&found, by_clipping.depth[i], by_clipping.error[i]), "seed %u", seed);
+            n_roots++;
+        }
+    }
+    assert_true(n_roots > 2000);
+    assert_true(n_tests[0] < 0.8 * n_tests[1]);
 }
 
 /* z = x^2 over [-1, 1]^2, and rays along y... along x at height h: two roots for h > 0, a tangent one at 0, none below. */
@@ -387,7 +440,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(bernstein_polynomials_sum_to_one_and_their_derivatives_to_zero),
         cmocka_unit_test_setup_teardown(the_radius_and_the_deviation_bound_the_tile, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(the_variation_bounds_the_derivatives, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(a_ray_that_knows_where_it_is_from_loses_nothing, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(turn_and_stretch_bound_the_derivatives, set_up, tear_down),
         cmocka_unit_test_setup_teardown(a_ray_through_a_point_of_the_patch_finds_it, set_up, tear_down),
         cmocka_unit_test_setup_teardown(a_pole_on_the_ray_hides_no_other_root, set_up, tear_down),
         cmocka_unit_test_setup_teardown(the_frame_loses_and_invents_nothing, set_up, tear_down),

@@ -12,8 +12,6 @@
 #include "render/pencil.h"
 #include "render/simd.h"
 
-#include <string.h>
-
 #define WIDTH WIDE_WIDTH
 #define IS_ITEM WIDE_IS_ITEM
 #define ROOM_AHEAD 64    /* beyond so many that wait, no node is opened ahead of its turn */
@@ -122,9 +120,8 @@ ALWAYS_INLINE void fetch(const char *from, size_t size)
     for (size_t at = 0; at < size; at += 64) __builtin_prefetch(from + at);
 }
 
-/* Children that wait on the stack, a bit for each, and all that is read of them later: in a large tree that is what takes
- * the time. None of it has to be read to know where the rest lies. (Not inlined, gcc 12 takes it for a function that does
- * nothing.) */
+/* Children that wait on the stack, a bit for each, and all that is read of them later: in a large tree that is what takes the
+ * time. None of it has to be read to know where the rest lies. */
 ALWAYS_INLINE void fetch_children(const WideBvh *b, const WideNode *n, unsigned which)
 {
     bool has_items = false;
@@ -155,7 +152,8 @@ ALWAYS_INLINE int meet_children(const WideBvh *b, const WideNode *n, const Slabs
         far = v8_min(v8f_load(n->side[!r->near_side[k]][k]) * inverse + v8f_splat(r->far_shift[k]), far);
     }
     int n_met = 0;
-    unsigned met = v8_mask(__builtin_convertvector(near <= far, V8c)) & n->exists;     /* no numbers meet what is not there */
+    /* a ray of no numbers would meet children that do not exist */
+    unsigned met = v8_mask(__builtin_convertvector(near <= far, V8c)) & n->exists;
     if (ahead) fetch_children(b, n, met);
     for (; met != 0; met &= met - 1) {
         int i = __builtin_ctz(met), at = n_met++;
@@ -184,6 +182,13 @@ ALWAYS_INLINE float limit_of(const Slabs *s, double t_max) { return float_above(
 
 typedef struct { BvhVisit visit; void *context; } Visitor;
 
+/* Where r enters the tree; NULL: it meets nothing. */
+ALWAYS_INLINE const WideNode *entry_of(const WideBvh *b, const Ray *r, double t_max, Trace *t)
+{
+    bool is_of_pencil = t->apex && b->n_nodes >= PENCIL_LEAST_NODES;
+    return is_of_pencil ? pencil_entry(b, r, t_max, t) : &b->nodes[0];
+}
+
 /* While the n_new children that were met last come from memory: puts the children of what waits below them in its place, if
  * it is a node. They are what the ray needs next, unless it ends before. Returns by how much the stack grows. */
 ALWAYS_INLINE int open_older(const WideBvh *b, Waiting *older, int n_new, const Slabs *r, float t_min, float t_max,
@@ -197,13 +202,6 @@ ALWAYS_INLINE int open_older(const WideBvh *b, Waiting *older, int n_new, const 
     memmove(older + n_met, older + 1, (size_t)n_new * sizeof *older);
     memcpy(older, met, (size_t)n_met * sizeof *older);
     return n_met - 1;
-}
-
-/* Where r enters the tree; NULL: it meets nothing. */
-ALWAYS_INLINE const WideNode *entry_of(const WideBvh *b, const Ray *r, double t_max, Trace *t)
-{
-    bool is_of_pencil = t->apex && b->n_nodes >= PENCIL_LEAST_NODES;
-    return is_of_pencil ? pencil_entry(b, r, t_max, t) : &b->nodes[0];
 }
 
 /* nearest_first: none behind *t_max as visits lower it; else the farthest first, and *t_max stays. */

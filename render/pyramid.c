@@ -109,13 +109,13 @@ static void clear_rest(WideNode *n)
         n->child[i] = 0;
     }
     n->exists = (1u << n->n_children) - 1;
-    n->items = 0, n->behind = NULL;
 }
 
 bool pyramid_entry(const Pyramid *p, const WideNode *tree, const WideNode *from, WideNode *entry)
 {
     Draft d = { .node = entry };
     entry->n_children = 0;
+    entry->items = 0, entry->behind = NULL;      /* its items are of many nodes */
     add_children(&d, from, children_within(p, from));
     open_children(&d, p, tree);
     clear_rest(entry);

@@ -82,14 +82,13 @@ static Rgb through_filters(const Shadow *q, Ray *r, double t_max, Rgb light)
 /* What of the light from `to`, at the end of a ray along the unit vector `dir`, arrives. false: nothing. */
 static bool light_from(const Shadow *q, const Vec3 *dir, const Vec3 *to, Rgb *light)
 {
-    const Scene *s = q->around->scene;
     Ray r = { surface_leave(q->at, *dir), *dir, 0 };
     double t_max = surface_stop_before(r.origin, *to, vec_dot(vec_sub(*to, r.origin), r.dir));
     if (!(t_max > 0)) return true;   /* a parallel light's plane is behind the point: nothing can stand between */
     q->trace->is_shadow_ray = true;
     q->trace->counters.shadow_rays++;
-    bool is_blocked = scene_blocks(s, &r, t_max, q->trace);
-    if (!is_blocked && s->has_filters) *light = through_filters(q, &r, t_max, *light);
+    bool may_be_filtered, is_blocked = scene_blocks(q->around->scene, &r, t_max, &may_be_filtered, q->trace);
+    if (!is_blocked && may_be_filtered) *light = through_filters(q, &r, t_max, *light);
     q->trace->is_shadow_ray = false;
     return !is_blocked;
 }
@@ -182,9 +181,9 @@ static bool light_from_point(const Shadow *q, const Light *l, LightAt *lit)
 {
     Apex apex = apex_make(l->position);
     if (q->has_neighbours && q->trace->pencils) q->trace->apex = &apex;
-    bool is_lit = light_from(q, &lit->direction, &l->position, &lit->color);
+    bool arrives = light_from(q, &lit->direction, &l->position, &lit->color);
     q->trace->apex = NULL;
-    return is_lit;
+    return arrives;
 }
 
 bool shadow_light(const Shadow *q, const Light *l, LightAt *lit)

@@ -120,8 +120,8 @@ ALWAYS_INLINE bool report(const Solve *k, RootVisit visit, void *context)
 
 typedef enum { NEWTON_INSIDE, NEWTON_OUTSIDE, NEWTON_UNDECIDED } NewtonResult;
 
-/* Beyond the patch the sizes of a combination's terms add up to more than itself: the Bernstein polynomials of order k to (1 +
- * 2 d)^(k-1) at a distance of d, and roundings grow by as much. */
+/* Beyond the patch the sizes of a combination's terms add up to more than itself: the Bernstein polynomials of order k to
+ * (1 + 2 d)^(k-1) at a distance of d, and roundings grow by as much. */
 static __attribute__((noinline)) double growth_at(const Patch *p, double x, double y)
 {
     double d = double_max(double_max(-x, x - 1), double_max(-y, y - 1));
@@ -266,11 +266,11 @@ ALWAYS_INLINE bool is_from(const Tile *f, const PatchRay *r, double *s, double *
 
 /* Does the ray start above a point X of the tile, to the side that it leaves for, so that it cannot meet the tile?
  *
- * X = S(x_g). The numerator about X vanishes at x_g, so that at x it is 2 w_middle (F + E)(x - x_g), F being the half-vectors
- * over their lengths. The chord S(x) - X rises from the frame's plane by at most turn sigma |x - x_g|, and goes along it by
- * at least (1 - stretch) sigma |x - x_g|, both times 2 w_middle / w: no chord is steeper than turn / (1 - stretch). What is
- * steeper, on one side of the plane, is convex: if the start seen from X is, and the direction, all of the ray is, and none
- * of it on the tile.
+ * X = S(x_g). The numerator about X vanishes at x_g, so that at x it is 2 w_middle (F + E)(x - x_g), F being the
+ * half-vectors over their lengths. The chord S(x) - X rises from the frame's plane by at most turn sigma |x - x_g|, and goes
+ * along it by at least (1 - stretch) sigma |x - x_g|, both times 2 w_middle / w: no chord is steeper than
+ * turn / (1 - stretch). What is steeper, on one side of the plane, is convex: if the start seen from X is, and the
+ * direction, all of the ray is, and none of it on the tile.
  *
  * The start seen from X is `off` by the rounding of X, of the start and of their difference, and where the surface is
  * otherwise than the patch has it. For the direction, whose rounding is less than CONTRACTION leaves room for, a slope of

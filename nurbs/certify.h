@@ -15,7 +15,7 @@ typedef struct {
     Vec3 origin, d;          /* d: unit */
     Vec3 n1, n2;             /* unit, perpendicular to d and to each other */
     double t_min, t_max;     /* along d; t_max shrinks as roots are accepted */
-    const Patch *from;       /* the ray may start near, or be near, the point (from_s, from_t) of this patch; NULL: of none */
+    const Patch *from;       /* the ray may start near, or be near, the point (from_s, from_t) of it; NULL: of none */
     double from_s, from_t;
 } PatchRay;
 

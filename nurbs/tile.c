@@ -146,7 +146,7 @@ ALWAYS_INLINE double margin_radius(const Vec4 *net, int n, double inner, double 
  * smaller singular value: times the larger one it is the sine, and the sum of their squares is |a|^2 + |b|^2. */
 typedef struct { Vec3 normal; double sine, per_sigma; } Plane;
 
-/* Of a x b: 2 each of a and b, 2 of the products and their difference, of sums that are up to sqrt 2 long; 3 of the length. */
+/* Of a x b: 2 each of a and b, 2 of the products and their difference, of sums up to sqrt 2 long; 3 of the length. */
 #define SINE_ROUNDINGS 12
 
 ALWAYS_INLINE Plane plane_of(const Source *p, double length_s, double length_t)

@@ -120,8 +120,8 @@ ALWAYS_INLINE void fetch(const char *from, size_t size)
     for (size_t at = 0; at < size; at += 64) __builtin_prefetch(from + at);
 }
 
-/* Children that wait on the stack, a bit for each, and all that is read of them later: in a large tree that is what takes the
- * time. None of it has to be read to know where the rest lies. */
+/* Children that wait on the stack, a bit for each, and all that is read of them later: in a large tree that is what takes
+ * the time. None of it has to be read to know where the rest lies. */
 ALWAYS_INLINE void fetch_children(const WideBvh *b, const WideNode *n, unsigned which)
 {
     bool has_items = false;

@@ -91,17 +91,23 @@ void memory_reset_peak(void);
 
 /* ---- measures ---- */
 
+enum { MAX_REPEATS = 15 };
+
 typedef struct {
+    double seconds[MAX_REPEATS]; /* of each pass */
     double rays_per_second, spread;
     size_t n, stride;            /* rays of a pass */
-    int repeats;                 /* passes */
+    int repeats;                 /* passes made */
     double cycles_per_ray, cycles_per_test;   /* the latter 0: not known */
     double newton_per_hit;       /* numerical intersections begun, over hits reported */
 } Speed;
 
-/* Median of `repeats` passes; slow engines get every stride-th ray, so that a pass takes about `budget` seconds. t has
- * room for set->n; it gets the answers of the last pass. spread: (slowest - fastest) / median. */
-Speed measure_speed(Engine *e, const RaySet *set, int repeats, double budget, double *t);
+/* The speed is the median of some passes, MAX_REPEATS at most; spread: (slowest - fastest) / median. Engines that are to be
+ * compared make theirs in turns, since a machine's speed changes while one is measured. Slow engines get every stride-th
+ * ray, so that a pass takes about `budget` seconds. t has room for set->n; it gets the answers. */
+Speed speed_begin(Engine *e, const RaySet *set, double budget, double *t);
+void speed_pass(Speed *s, Engine *e, const RaySet *set, double *t);
+void speed_end(Speed *s, Engine *e, const RaySet *set);
 
 typedef struct { size_t hits, missed, wrong; double largest, rms, p999; } Accuracy;
 

@@ -4,7 +4,7 @@
 #include <string.h>
 #include <time.h>
 
-enum { FEW_RAYS = 48, PROBE_RAYS = 512, MAX_REPEATS = 15 };
+enum { FEW_RAYS = 48, PROBE_RAYS = 512 };
 
 static int by_size(const void *a, const void *b)
 {
@@ -54,11 +54,11 @@ static double test_seconds(Engine *e, const RaySet *set, size_t stride)
     return tests > 0 ? seconds / (double)tests : 0;
 }
 
-Speed measure_speed(Engine *e, const RaySet *set, int repeats, double budget, double *t)
+Speed speed_begin(Engine *e, const RaySet *set, double budget, double *t)
 {
     Speed s = { .stride = 1 };
+    memset(&e->cost.counters, 0, sizeof e->cost.counters);
     if (set->n == 0) return s;
-    repeats = repeats < 1 ? 1 : repeats > MAX_REPEATS ? MAX_REPEATS : repeats;
     size_t few = set->n / FEW_RAYS + 1, probe = set->n / PROBE_RAYS + 1;
     e->shoot(e, set, few, t);     /* takes the set, warms up */
     if (pass_seconds(e, set, few, t) * PROBE_RAYS > budget * FEW_RAYS) probe = few;    /* some take hours for all */
@@ -66,19 +66,26 @@ Speed measure_speed(Engine *e, const RaySet *set, int repeats, double budget, do
     if (guess > budget) s.stride = (size_t)ceil(guess / budget);
     if (s.stride > probe) s.stride = probe;
     s.n = (set->n + s.stride - 1) / s.stride;
-    double seconds[MAX_REPEATS];
     memset(&e->cost.counters, 0, sizeof e->cost.counters);
-    for (int i = 0; i < repeats; i++) seconds[i] = pass_seconds(e, set, s.stride, t);
-    qsort(seconds, (size_t)repeats, sizeof *seconds, by_size);
-    double median = seconds[repeats / 2];
-    s.rays_per_second = (double)s.n / median;
-    s.spread = (seconds[repeats - 1] - seconds[0]) / median;
-    s.cycles_per_ray = cycles_per_second() / s.rays_per_second;
-    Counters counted = e->cost.counters;
-    if (e->test_seconds) s.cycles_per_test = cycles_per_second() * test_seconds(e, set, s.stride);
-    e->cost.counters = counted;
-    s.repeats = repeats;
     return s;
+}
+
+void speed_pass(Speed *s, Engine *e, const RaySet *set, double *t)
+{
+    if (set->n > 0 && s->repeats < MAX_REPEATS) s->seconds[s->repeats++] = pass_seconds(e, set, s->stride, t);
+}
+
+void speed_end(Speed *s, Engine *e, const RaySet *set)
+{
+    if (s->repeats == 0) return;
+    qsort(s->seconds, (size_t)s->repeats, sizeof *s->seconds, by_size);
+    double median = s->seconds[s->repeats / 2];
+    s->rays_per_second = (double)s->n / median;
+    s->spread = (s->seconds[s->repeats - 1] - s->seconds[0]) / median;
+    s->cycles_per_ray = cycles_per_second() / s->rays_per_second;
+    Counters counted = e->cost.counters;
+    if (e->test_seconds) s->cycles_per_test = cycles_per_second() * test_seconds(e, set, s->stride);
+    e->cost.counters = counted;
 }
 
 Accuracy measure_accuracy(const Model *m, const RaySet *set, size_t stride, const double *truth, const double *t)

@@ -31,22 +31,36 @@ static void print_counters(const Counters *c, const Speed *s, const Accuracy *a)
            (double)c->newton_iterations / tests, (double)c->fallbacks / tests);
 }
 
-static void print_row(Bench *b, int k, Entry *e)
+/* Passes of all engines in turns. */
+static void measure_set(Bench *b, int k)
 {
     const Options *o = b->options;
     const RaySet *set = &b->sets[k];
-    Speed s = measure_speed(e->engine, set, o->repeats, o->budget, b->answers);
-    Accuracy a = measure_accuracy(&b->model, set, s.stride, b->truth[k], b->answers);
+    for (Entry *e = b->list; e < b->list + b->n_engines; e++)
+        e->speed[k] = speed_begin(e->engine, set, o->budget, b->answers);
+    int repeats = o->repeats < 1 ? 1 : o->repeats > MAX_REPEATS ? MAX_REPEATS : o->repeats;
+    for (int pass = 1; pass <= repeats; pass++)
+        for (Entry *e = b->list; e < b->list + b->n_engines; e++) {
+            speed_pass(&e->speed[k], e->engine, set, b->answers);
+            if (pass == repeats)
+                e->accuracy[k] = measure_accuracy(&b->model, set, e->speed[k].stride, b->truth[k], b->answers);
+        }
+    for (Entry *e = b->list; e < b->list + b->n_engines; e++) speed_end(&e->speed[k], e->engine, set);
+}
+
+static void print_row(Bench *b, int k, Entry *e)
+{
+    const RaySet *set = &b->sets[k];
+    const Accuracy *a = &e->accuracy[k];
+    Speed *s = &e->speed[k];
     const Counters *c = &e->engine->cost.counters;
-    s.newton_per_hit = (double)c->nurbs_tests / double_max((double)a.hits * s.repeats, 1);
-    e->speed[k] = s, e->accuracy[k] = a;
-    printf("| %s | %s | %.3f | %.0f %% | %zu | %zu | %zu | %zu | ", set->name, e->name, s.rays_per_second * 1e-6,
-           100 * s.spread, s.stride, a.hits, a.missed, a.wrong);
+    s->newton_per_hit = (double)c->nurbs_tests / double_max((double)a->hits * s->repeats, 1);
+    printf("| %s | %s | %.3f | %.0f %% | %zu | %zu | %zu | %zu | ", set->name, e->name, s->rays_per_second * 1e-6,
+           100 * s->spread, s->stride, a->hits, a->missed, a->wrong);
     if (set->t_max) printf("| | | ");
-    else printf("%.1e | %.1e | %.1e | ", a.largest, a.rms, a.p999);
-    printf("%.0f | ", s.cycles_per_ray);
-    print_counters(c, &s, &a);
-    fflush(stdout);
+    else printf("%.1e | %.1e | %.1e | ", a->largest, a->rms, a->p999);
+    printf("%.0f | ", s->cycles_per_ray);
+    print_counters(c, s, a);
 }
 
 void print_rays(Bench *b)
@@ -54,8 +68,12 @@ void print_rays(Bench *b)
     printf("| rays | engine | M rays/s | spread | 1/n | hits | missed | false | largest | RMS | 99.9 %% | cycles/ray "
            "| cycles/test | boxes/ray | tests/ray | tests/hit | Newton/hit | steps/test | fallbacks/test |\n"
            "|---|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n");
-    for (int k = 0; k < b->n_sets; k++)
-        for (int i = 0; i < b->n_engines && is_listed(b->options->sets, b->sets[k].name); i++) print_row(b, k, &b->list[i]);
+    for (int k = 0; k < b->n_sets; k++) {
+        if (!is_listed(b->options->sets, b->sets[k].name)) continue;
+        measure_set(b, k);
+        for (Entry *e = b->list; e < b->list + b->n_engines; e++) print_row(b, k, e);
+        fflush(stdout);
+    }
     printf("\n");
 }
 

@@ -124,9 +124,8 @@ static bool visit_tile(void *context, uint32_t i, const Ray *r, double *t_max, T
 /* Sets t->frame for the ray's direction, unless it is there from the surface before; the direction's length. */
 static double use_frame(const Ray *r, Trace *t)
 {
-    Vec3 a = r->dir, b = t->frame.dir;
-    if (a.x == b.x && a.y == b.y && a.z == b.z) return t->frame.length;
-    t->frame.dir = a, t->frame.length = vec_length(a), t->frame.d = vec_normalize(a);
+    if (vec_is_same(r->dir, t->frame.dir)) return t->frame.length;
+    t->frame.dir = r->dir, t->frame.length = vec_length(r->dir), t->frame.d = vec_normalize(r->dir);
     frame_of_direction(t->frame.d, &t->frame.n1, &t->frame.n2);
     return t->frame.length;
 }

@@ -39,19 +39,12 @@ static Pixel scaled(Pixel p, double by) { return (Pixel){ p.r * by, p.g * by, p.
 
 /* ---- places ---- */
 
-static uint64_t bits_of(double x)
-{
-    uint64_t bits;
-    memcpy(&bits, &x, sizeof bits);
-    return bits;
-}
-
 /* Displaced by chance that depends on the place alone; `spacing` is the distance between samples. */
 static Pixel sample_near(const Block *b, double x, double y, double spacing)
 {
     double reach = b->options->jitter * spacing;
     if (reach == 0) return b->sample(b->context, x, y);
-    uint64_t chance = hash_combine(hash_mix(bits_of(x)), bits_of(y));
+    uint64_t chance = hash_combine(hash_mix(hash_bits(x)), hash_bits(y));
     return b->sample(b->context, x + reach * (hash_unit(chance) - .5), y + reach * (hash_unit(hash_mix(chance)) - .5));
 }
 

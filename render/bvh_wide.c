@@ -71,8 +71,7 @@ static inline void set_axis(Slabs *w, int k, const WideBvh *b, double o, double 
 
 static bool is_same_ray(const Ray *a, const Ray *b)
 {
-    return a->origin.x == b->origin.x && a->origin.y == b->origin.y && a->origin.z == b->origin.z && a->dir.x == b->dir.x
-        && a->dir.y == b->dir.y && a->dir.z == b->dir.z && a->t_min == b->t_min;
+    return vec_is_same(a->origin, b->origin) && vec_is_same(a->dir, b->dir) && a->t_min == b->t_min;
 }
 
 static bool contains(const Box *a, const Box *b)

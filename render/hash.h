@@ -3,6 +3,7 @@
 #define TRIMRAY_HASH_H
 
 #include <stdint.h>
+#include <string.h>
 
 /* splitmix64's finalizer: a bijection of 64-bit words, every output bit depends on every input bit. */
 static inline uint64_t hash_mix(uint64_t x)
@@ -14,6 +15,14 @@ static inline uint64_t hash_mix(uint64_t x)
 }
 
 static inline uint64_t hash_combine(uint64_t seed, uint64_t value) { return hash_mix(seed ^ hash_mix(value)); }
+/* A number as a word; 0 and -0 differ. */
+static inline uint64_t hash_bits(double x)
+{
+    uint64_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    return bits;
+}
+
 static inline double hash_unit(uint64_t x) { return (double)(x >> 11) * 0x1p-53; }   /* in [0, 1) */
 
 #endif

@@ -16,8 +16,8 @@ static bool light_fades(const Light *l) { return l->fade_distance > 0 && l->fade
 
 bool light_is_plain(const Light *l)
 {
-    bool is_black = l->color.r == 0 && l->color.g == 0 && l->color.b == 0;
-    return l->kind == LIGHT_POINT && !l->is_parallel && !l->is_shadowless && !l->is_area && !light_fades(l) && !is_black;
+    bool is_point = l->kind == LIGHT_POINT && !l->is_parallel && !l->is_area;
+    return is_point && !l->is_shadowless && !light_fades(l) && !rgb_is_black(l->color);
 }
 
 /* 0 below a, 1 from b on, a cubic between them. */

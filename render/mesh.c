@@ -133,7 +133,7 @@ static bool mesh_inside(const Shape *shape, Vec3 p)
     const Mesh *m = (const Mesh *)shape;
     if (!m->desc.has_inside || !box_contains(m->bounds, p)) return false;
     Trace t = { 0 };
-    if (!shape_was_prepared(shape)) shape_prepare((Shape *)shape, &t);
+    shape_be_prepared(shape, &t);
     Ray r = { p, m->desc.inside_vector, 0 };
     Search s = { .mesh = m, .shear = shear_of(&r) };
     double t_max = INFINITY;

@@ -8,8 +8,7 @@ uint32_t mesh_sink_vertex(MeshSink *m, MeshVertex v)
 
 static bool are_one(const MeshSink *m, uint32_t a, uint32_t b)
 {
-    Vec3 p = m->vertices[a].point, q = m->vertices[b].point;
-    return p.x == q.x && p.y == q.y && p.z == q.z;
+    return vec_is_same(m->vertices[a].point, m->vertices[b].point);
 }
 
 void mesh_sink_triangle(MeshSink *m, uint32_t a, uint32_t b, uint32_t c)

@@ -63,51 +63,54 @@ static void pass(const Object *o, const Ray *r, const Ray *within, Hit *h)
     h->objects[h->n_objects++] = o;
 }
 
-/* The apex of the ray as it is within o, in `room`; returns what it is outside. */
-static Apex *take_apex_in(const Object *o, Apex *room, Trace *t)
+/* A ray within an object, and the apex that it has there in place of the one outside. */
+typedef struct {
+    const Ray *ray;
+    Apex *outside;
+    Ray ray_room;
+    Apex apex_room;
+} Within;
+
+static void enter(const Object *o, const Ray *r, Within *w, Trace *t)
 {
-    Apex *outside = t->apex;
-    if (!outside || !o->is_placed) return outside;
-    *room = apex_within(outside, &o->placement);
-    t->apex = room;
-    return outside;
+    w->ray = ray_within(o, r, &w->ray_room);
+    w->outside = t->apex;
+    if (!t->apex || !o->is_placed) return;
+    w->apex_room = apex_within(t->apex, &o->placement);
+    t->apex = &w->apex_room;
 }
+
+static void leave(const Within *w, Trace *t) { t->apex = w->outside; }
 
 static bool object_hit(const Shape *shape, const Ray *r, Hit *best, Trace *t)
 {
     const Object *o = (const Object *)shape;
-    Ray room;
-    Apex apex_room;
-    const Ray *within = ray_within(o, r, &room);
-    Apex *outside = take_apex_in(o, &apex_room, t);
-    bool is_hit = shape_hit(o->child, within, best, t);
-    t->apex = outside;
-    if (!is_hit) return false;
-    pass(o, r, within, best);
-    return true;
+    Within w;
+    enter(o, r, &w, t);
+    bool is_hit = shape_hit(o->child, w.ray, best, t);
+    leave(&w, t);
+    if (is_hit) pass(o, r, w.ray, best);
+    return is_hit;
 }
 
 static void object_all_hits(const Shape *shape, const Ray *r, HitList *out, Trace *t)
 {
     const Object *o = (const Object *)shape;
-    Ray room;
-    const Ray *within = ray_within(o, r, &room);
-    Apex apex_room;
-    Apex *outside = take_apex_in(o, &apex_room, t);
+    Within w;
     size_t first = out->n;
-    shape_all_hits(o->child, within, out, t);
-    t->apex = outside;
-    for (size_t i = first; i < out->n; i++) pass(o, r, within, &out->hits[i]);
+    enter(o, r, &w, t);
+    shape_all_hits(o->child, w.ray, out, t);
+    leave(&w, t);
+    for (size_t i = first; i < out->n; i++) pass(o, r, w.ray, &out->hits[i]);
 }
 
 static bool object_blocks(const Shape *shape, const Ray *r, double t_max, Trace *t)
 {
     const Object *o = (const Object *)shape;
-    Ray room;
-    Apex apex_room;
-    Apex *outside = take_apex_in(o, &apex_room, t);
-    bool blocks = shape_blocks(o->child, ray_within(o, r, &room), t_max, t);
-    t->apex = outside;
+    Within w;
+    enter(o, r, &w, t);
+    bool blocks = shape_blocks(o->child, w.ray, t_max, t);
+    leave(&w, t);
     return blocks;
 }
 
@@ -346,11 +349,9 @@ Vec3 hit_texture_point(const Hit *h, Vec3 world)
     return xform_unpoint(&textured->texture_space, world);
 }
 
-static bool is_same(Vec3 a, Vec3 b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
-
 static void place_normals(const Object *o, Attributes *at)
 {
-    bool is_smooth = !is_same(at->normal, at->shading_normal);
+    bool is_smooth = !vec_is_same(at->normal, at->shading_normal);
     at->normal = vec_normalize(xform_normal(&o->placement, at->normal));
     at->shading_normal = is_smooth ? vec_normalize(xform_normal(&o->placement, at->shading_normal)) : at->normal;
 }

@@ -22,6 +22,7 @@
  *    much wider, and its own roundings are covered by WINDOW_ROUNDING. */
 #include "render/pencil.h"
 
+#include "render/hash.h"
 #include "render/pyramid.h"
 #include "render/simd.h"
 
@@ -101,25 +102,16 @@ void pencils_free(Pencils *p)
     arena_free(p->arena);
 }
 
-static bool is_same_point(Vec3 a, Vec3 b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
-
-static uint64_t bits_of(double x)
-{
-    uint64_t bits;
-    memcpy(&bits, &x, sizeof bits);
-    return bits;
-}
-
 /* Lights and trees seldom differ in less than two coordinates and an address. */
 static uint64_t hash_of(const WideBvh *tree, Vec3 apex)
 {
-    return ((uintptr_t)tree >> 6 ^ bits_of(apex.x) ^ bits_of(apex.y) << 1 ^ bits_of(apex.z) << 2) * 0x9E3779B97F4A7C15u;
+    return ((uintptr_t)tree >> 6 ^ hash_bits(apex.x) ^ hash_bits(apex.y) << 1 ^ hash_bits(apex.z) << 2) * 0x9E3779B97F4A7C15u;
 }
 
 static const Pencil *find(const Pencils *p, uint64_t hash, const WideBvh *tree, Vec3 apex)
 {
     const Pencil *at = atomic_load_explicit(&p->buckets[hash >> 20 & (p->n_buckets - 1)], memory_order_acquire);
-    while (at && !(at->tree == tree && is_same_point(at->apex, apex))) at = at->older;
+    while (at && !(at->tree == tree && vec_is_same(at->apex, apex))) at = at->older;
     return at;
 }
 
@@ -342,7 +334,7 @@ ALWAYS_INLINE PencilSlot *use_slot(const WideBvh *tree, Trace *t)
     uint64_t hash = hash_of(tree, apex);
     PencilSlot *s = &t->pencils->of[hash >> 58];
     _Static_assert(N_PENCIL_SLOTS == 1 << (64 - 58), "a slot for each number");
-    if (s->tree != tree || !is_same_point(s->apex, apex))
+    if (s->tree != tree || !vec_is_same(s->apex, apex))
         *s = (PencilSlot){ .tree = tree, .apex = apex, .pencil = find_or_make(t->pencils->all, hash, tree, t->apex),
                            .place = UINT64_MAX, .mask = UINT64_MAX };
     return s;

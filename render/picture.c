@@ -33,16 +33,13 @@ struct Picture {
     bool is_writing, is_short_of_memory;
 };
 
-static int lesser(int a, int b) { return a < b ? a : b; }
-static int greater(int a, int b) { return a > b ? a : b; }
-
-static int n_rows(const Picture *p, int band) { return lesser(BAND, p->format.height - band * BAND); }
+static int n_rows(const Picture *p, int band) { return int_min(BAND, p->format.height - band * BAND); }
 
 static void expect_pixels(Picture *p)
 {
     const PictureFormat *f = &p->format;
     for (int i = 0; i < p->n_bands; i++) {
-        int rows = lesser(f->y1, i * BAND + n_rows(p, i)) - greater(f->y0, i * BAND);
+        int rows = int_min(f->y1, i * BAND + n_rows(p, i)) - int_max(f->y0, i * BAND);
         p->bands[i].n_missing = rows > 0 && f->x1 > f->x0 ? (size_t)rows * (size_t)(f->x1 - f->x0) : 0;
     }
 }
@@ -96,7 +93,7 @@ static void encode(const Picture *p, const FilmPixel *pixels, int n, unsigned ch
 {
     uint16_t samples[4 * RUN];
     for (int x = 0; x < n; x += RUN) {
-        int n_samples = film_encode(pixels + x, lesser(RUN, n - x), &p->curve, p->format.alpha, samples);
+        int n_samples = film_encode(pixels + x, int_min(RUN, n - x), &p->curve, p->format.alpha, samples);
         pack(samples, n_samples, p->format.bits, out + (size_t)x * p->pixel_bytes);
     }
 }
@@ -112,7 +109,7 @@ static void blacken(const Picture *p, unsigned char *rows, size_t n_bytes)
 static unsigned char *rows_of(Picture *p, int band)
 {
     if (p->bands[band].rows) return p->bands[band].rows;
-    size_t n_bytes = (size_t)lesser(BAND, p->format.height) * p->row_bytes;
+    size_t n_bytes = (size_t)int_min(BAND, p->format.height) * p->row_bytes;
     unsigned char *rows = (unsigned char *)p->spare;
     if (rows) p->spare = p->spare->next;
     else rows = malloc(n_bytes > sizeof(Spare) ? n_bytes : sizeof(Spare));
@@ -166,7 +163,7 @@ static void add_to_band(Picture *p, int x0, int y0, int x1, int y1, const FilmPi
 void picture_add(Picture *p, int x0, int y0, int x1, int y1, const FilmPixel *pixels)
 {
     for (int y = y0, next; y < y1; y = next) {
-        next = lesser(y1, (y / BAND + 1) * BAND);
+        next = int_min(y1, (y / BAND + 1) * BAND);
         add_to_band(p, x0, y, x1, next, pixels + (size_t)(y - y0) * (size_t)(x1 - x0));
     }
 }

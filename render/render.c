@@ -92,15 +92,13 @@ static Pixel render_sample(void *context, double x, double y)
     return shade_camera_ray(s->job->scene, &r, o->quality, s->trace);
 }
 
-static int lesser(int a, int b) { return a < b ? a : b; }
-
 static void render_tile(const Job *job, int tile, Trace *t)
 {
     blockers_clear(&t->blockers);
     const RenderOptions *o = job->options;
     Sampler sampler = { job, t };
     int x0 = o->x0 + tile % job->n_across * o->block_size, y0 = o->y0 + tile / job->n_across * o->block_size;
-    int x1 = lesser(x0 + o->block_size, o->x1), y1 = lesser(y0 + o->block_size, o->y1);
+    int x1 = int_min(x0 + o->block_size, o->x1), y1 = int_min(y0 + o->block_size, o->y1);
     size_t across = (size_t)(x1 - x0), n = across * (size_t)(y1 - y0);
     ArenaMark mark = arena_mark(t->scratch);
     Pixel *found = ARENA_ARRAY(t->scratch, Pixel, n);
@@ -165,7 +163,7 @@ RenderResult render_tiles(Scene *s, const RenderOptions *o, RenderSink *sink, vo
     job.pencils = pencils_new(camera_viewpoint(&s->camera, (double)o->width * o->height));
     job.n_across = tiles(o->x0, o->x1, o->block_size);
     job.n_tiles = job.n_across * tiles(o->y0, o->y1, o->block_size);
-    int n = lesser(o->n_threads > 0 ? o->n_threads : n_cores(), job.n_tiles > 0 ? job.n_tiles : 1);
+    int n = int_min(o->n_threads > 0 ? o->n_threads : n_cores(), job.n_tiles > 0 ? job.n_tiles : 1);
     Worker *workers = calloc((size_t)n, sizeof *workers), alone = { 0 };
     if (!workers) n = 1;
     Worker *crew = workers ? workers : &alone;

@@ -3,8 +3,6 @@
 
 #include "render/hit_list.h"
 
-static bool is_black(Rgb c) { return c.r == 0 && c.g == 0 && c.b == 0; }
-
 static Rgb through_map(const Surface *blocker, Rgb light);
 
 /* What a transparent blocker lets through: every layer filters. */
@@ -57,7 +55,7 @@ static Rgb past_blocker(const Shadow *q, const Ray *r, const Hit *h, const Mediu
 static Rgb light_past(const Shadow *q, Ray *r, const HitList *filters, Rgb light)
 {
     const Medium *media = q->media;
-    for (size_t i = 0; i < filters->n && !is_black(light); i++) {
+    for (size_t i = 0; i < filters->n && !rgb_is_black(light); i++) {
         const Hit *h = &filters->hits[i];
         if (!(h->t > r->t_min)) continue;
         ShadowKind kind = scene_shadow_at(q->around->scene, h);
@@ -190,7 +188,7 @@ bool shadow_light(const Shadow *q, const Light *l, LightAt *lit)
 {
     q->trace->blockers.aim = l;
     if (l->is_plain) return light_from_point(q, l, lit);
-    if (is_black(lit->color)) return false;
+    if (rgb_is_black(lit->color)) return false;
     if (l->is_shadowless) return true;
     if (l->is_area && q->has_areas) return lit->color = area_light(q, l, lit->color), true;
     if (!light_is_parallel(l)) return light_from_point(q, l, lit);

@@ -58,7 +58,6 @@ ALWAYS_INLINE V8f v8f_splat(float x)
     return (V8f)(V8i){ bits, bits, bits, bits, bits, bits, bits, bits };
 }
 
-
 /* Bit i: is lane i of the comparison true? Byte i keeps its bit i alone, and the product sums the bytes into the highest. */
 ALWAYS_INLINE unsigned v8_mask(V8c truth)
 {

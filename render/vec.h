@@ -3,10 +3,13 @@
 #define TRIMRAY_VEC_H
 
 #include <math.h>
+#include <stdbool.h>
 
 /* The smaller, the larger: one instruction each, where fmin and fmax are calls. If one is NaN, the result is b. */
 static inline double double_min(double a, double b) { return a < b ? a : b; }
 static inline double double_max(double a, double b) { return a > b ? a : b; }
+static inline int int_min(int a, int b) { return a < b ? a : b; }
+static inline int int_max(int a, int b) { return a > b ? a : b; }
 
 typedef struct { double x, y; } Vec2;
 typedef struct { double x, y, z; } Vec3;
@@ -25,6 +28,7 @@ static inline Vec3 vec_cross(Vec3 a, Vec3 b)
 }
 static inline double vec_length2(Vec3 a) { return vec_dot(a, a); }
 static inline double vec_length(Vec3 a) { return sqrt(vec_length2(a)); }
+static inline bool vec_is_same(Vec3 a, Vec3 b) { return a.x == b.x && a.y == b.y && a.z == b.z; }   /* to the last bit */
 static inline double vec_max_abs(Vec3 a)          /* components that are NaN count for nothing */
 {
     return double_max(fabs(a.x), double_max(fabs(a.y), double_max(fabs(a.z), 0)));

@@ -1,6 +1,7 @@
 /* The scene: lists that the parser fills, and on them the searches of camera, secondary and shadow rays. */
 #include "render/scene.h"
 
+#include "render/bunch.h"
 #include "render/hit_list.h"
 #include "render/shape_tree.h"
 
@@ -178,6 +179,33 @@ bool scene_blocks(const Scene *s, const Ray *r, double t_max, bool *may_be_filte
     bool is_blocked = shape_tree_blocks(s->tree->shapes, r, NOT_SURELY_OPAQUE, t_max, t);
     *may_be_filtered = t->left_out & MAY_FILTER;
     return is_blocked;
+}
+
+Lanes scene_hit_bunch(const Scene *s, RayBunch *b, RayKind kind, Hit best[], Trace *t)
+{
+    Lanes hit = 0;
+    for (Lanes left = bunch_all(b); left; ) {
+        int i = lanes_next(&left);
+        bunch_begin(b, i, t);
+        if (scene_hit(s, &b->ray[i], kind, &best[i], t)) hit |= 1u << i;
+        bunch_end(b, i, t);
+    }
+    return hit;
+}
+
+Lanes scene_blocks_bunch(const Scene *s, RayBunch *b, Lanes lanes, const double t_max[], Lanes *may_be_filtered, Trace *t)
+{
+    Lanes blocked = 0;
+    *may_be_filtered = 0;
+    while (lanes) {
+        int i = lanes_next(&lanes);
+        bool may_be;
+        bunch_begin(b, i, t);
+        if (scene_blocks(s, &b->ray[i], t_max[i], &may_be, t)) blocked |= 1u << i;
+        if (may_be) *may_be_filtered |= 1u << i;
+        bunch_end(b, i, t);
+    }
+    return blocked;
 }
 
 void scene_filters(const Scene *s, const Ray *r, HitList *out, Trace *t)

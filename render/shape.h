@@ -15,6 +15,8 @@
 #include <stdatomic.h>
 #include <stdbool.h>
 
+typedef struct { const void *patch; double s, t; uint64_t seed; } RayRoot;
+
 /* What a thread carries while it traces. */
 typedef struct {
     Arena *scratch;          /* with marks; empty between rays */
@@ -32,13 +34,16 @@ typedef struct {
     struct { Vec3 dir; double length; Vec3 d, n1, n2; } frame;
     /* The last root that was accepted, by its patch: rays that leave from it find their own surface again there, or are sure
      * not to. It counts only while `seed` is the same, so that no pixel depends on another. */
-    struct { const void *patch; double s, t; uint64_t seed; } root;
+    RayRoot root;
 } Trace;
 
 typedef struct HitList HitList;     /* all hits of a ray in order of t, for CSG */
 typedef struct MeshSink MeshSink;   /* receives triangles, for export */
 typedef struct Sdl Sdl;             /* receives scene text, for export */
 typedef struct Bvh Bvh;             /* a tree of boxes */
+typedef struct RayBunch RayBunch;   /* rays that are traced together: bunch.h */
+typedef unsigned Lanes;             /* of a bunch: a bit for each ray */
+enum { BUNCH_WIDTH = 8 };
 
 typedef struct ShapeType ShapeType;
 struct ShapeType {
@@ -56,6 +61,12 @@ struct ShapeType {
     bool (*hit_item)  (const void *at, uint32_t item, const Ray *r, Hit *best, Trace *t);
     bool (*item_blocks)(const void *at, uint32_t item, const Ray *r, double t_max, Trace *t);
     void (*took)      (const Shape *s, const Ray *r, Hit *best);
+    /* hit(), blocks(), hit_item() and item_blocks() for some rays of a bunch, all at once: best[i] and t_max[i] are ray i's;
+     * which of them are hit, or blocked. NULL: one by one. */
+    Lanes (*hit_bunch)(const Shape *s, RayBunch *b, Lanes lanes, Hit best[], Trace *t);
+    Lanes (*blocks_bunch)(const Shape *s, RayBunch *b, Lanes lanes, const double t_max[], Trace *t);
+    Lanes (*hit_item_bunch)(const void *at, uint32_t item, RayBunch *b, Lanes lanes, Hit best[], Trace *t);
+    Lanes (*item_blocks_bunch)(const void *at, uint32_t item, RayBunch *b, Lanes lanes, const double t_max[], Trace *t);
     const Shape *(*bare)(const Shape *s);   /* what answers blocks() in its place; NULL: itself */
     void (*all_hits)  (const Shape *s, const Ray *r, HitList *out, Trace *t); /* appends, by t; NULL: hit() repeated */
     bool (*inside)    (const Shape *s, Vec3 p);                               /* NULL: a surface without an inside */

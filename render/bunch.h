@@ -1,0 +1,57 @@
+/* Neighbouring rays, traced together: eight lanes of vectors, and what they meet is read once for all of them. Rays that part
+ * from the others go on alone: whoever has no use for a bunch takes its rays one by one, and a shape that knows nothing of
+ * bunches is asked so (shape_hit_bunch). */
+#ifndef TRIMRAY_BUNCH_H
+#define TRIMRAY_BUNCH_H
+
+#include "render/shape.h"
+#include "render/simd.h"
+
+/* Eight vectors, component by component. */
+typedef struct { V8d x, y, z; } Vec3x8;
+
+/* What Trace has of one ray alone: a ray that is traced by itself finds it there (bunch_begin) and leaves it (bunch_end). */
+typedef struct {
+    uint64_t seed;
+    RayRoot root;
+    unsigned left_out;
+} BunchLane;
+
+struct RayBunch {
+    int n;                       /* rays, 1 to BUNCH_WIDTH; lanes from there on repeat the last */
+    Ray ray[BUNCH_WIDTH];
+    BunchLane *lane;             /* of these, in whichever space they are */
+    Vec3x8 origin, dir;          /* the same as `ray` */
+    V8d t_min;
+};
+
+/* Sets the lanes from ray[0 .. n). */
+void bunch_set_lanes(RayBunch *b);
+
+static inline Lanes bunch_all(const RayBunch *b) { return (1u << b->n) - 1; }
+
+/* The number of the first lane; removes it. */
+static inline int lanes_next(Lanes *lanes)
+{
+    int i = __builtin_ctz(*lanes);
+    *lanes &= *lanes - 1;
+    return i;
+}
+
+/* Before and after ray i goes on alone. */
+static inline void bunch_begin(const RayBunch *b, int i, Trace *t)
+{
+    t->seed = b->lane[i].seed, t->root = b->lane[i].root, t->left_out = 0;
+}
+
+static inline void bunch_end(RayBunch *b, int i, const Trace *t)
+{
+    b->lane[i].root = t->root, b->lane[i].left_out |= t->left_out;
+}
+
+/* Each ray of `lanes` as shape_hit and shape_blocks have it, with best[i], t_max[i]: the lanes that were hit, that are
+ * blocked. */
+Lanes shape_hit_bunch(const Shape *s, RayBunch *b, Lanes lanes, Hit best[], Trace *t);
+Lanes shape_blocks_bunch(const Shape *s, RayBunch *b, Lanes lanes, const double t_max[], Trace *t);
+
+#endif

@@ -1,6 +1,6 @@
-/* Neighbouring rays, traced together: eight lanes of vectors, and what they meet is read once for all of them. Rays that part
- * from the others go on alone: whoever has no use for a bunch takes its rays one by one, and a shape that knows nothing of
- * bunches is asked so (shape_hit_bunch). */
+/* Neighbouring rays, traced together: eight lanes of vectors, and what they meet is read once for all of them. Rays that
+ * part from the others go on alone: whoever has no use for a bunch takes its rays one by one, and a shape that knows nothing
+ * of bunches is asked so (shape_hit_bunch). */
 #ifndef TRIMRAY_BUNCH_H
 #define TRIMRAY_BUNCH_H
 
@@ -38,16 +38,16 @@ static inline int lanes_next(Lanes *lanes)
     return i;
 }
 
-/* Before and after ray i goes on alone. */
-static inline void bunch_begin(const RayBunch *b, int i, Trace *t)
+/* Before and after a ray goes on alone. */
+static inline void lane_begin(const BunchLane *lane, Trace *t)
 {
-    t->seed = b->lane[i].seed, t->root = b->lane[i].root, t->left_out = 0;
+    t->seed = lane->seed, t->root = lane->root, t->left_out = 0;
 }
 
-static inline void bunch_end(RayBunch *b, int i, const Trace *t)
-{
-    b->lane[i].root = t->root, b->lane[i].left_out |= t->left_out;
-}
+static inline void lane_end(BunchLane *lane, const Trace *t) { lane->root = t->root, lane->left_out |= t->left_out; }
+
+static inline void bunch_begin(const RayBunch *b, int i, Trace *t) { lane_begin(&b->lane[i], t); }
+static inline void bunch_end(RayBunch *b, int i, const Trace *t) { lane_end(&b->lane[i], t); }
 
 /* Each ray of `lanes` as shape_hit and shape_blocks have it, with best[i], t_max[i]: the lanes that were hit, that are
  * blocked. */

@@ -5,7 +5,8 @@
 #include "render/film.h"
 #include "render/scene.h"
 
-/* The colour seen along a camera ray, with quality +Q. */
-Pixel shade_camera_ray(const Scene *s, Ray *r, int quality, Trace *t);
+/* The colours seen along n neighbouring camera rays, 1 to BUNCH_WIDTH, with quality +Q. seeds: of the rays, as Trace has
+ * them. */
+void shade_camera_rays(const Scene *s, const Ray rays[], const uint64_t seeds[], int n, int quality, Trace *t, Pixel out[]);
 
 #endif

@@ -77,12 +77,21 @@ static Rgb through_filters(const Shadow *q, Ray *r, double t_max, Rgb light)
     return light;
 }
 
+/* From the surface along the unit vector dir, to end at *t_max before `to`; not positive: nothing can stand between. (A
+ * parallel light's plane may be behind the point.) */
+static Ray ray_to_light(const Surface *at, Vec3 dir, Vec3 to, double *t_max)
+{
+    Ray r = { surface_leave(at, dir), dir, 0 };
+    *t_max = surface_stop_before(r.origin, to, vec_dot(vec_sub(to, r.origin), r.dir));
+    return r;
+}
+
 /* What of the light from `to`, at the end of a ray along the unit vector `dir`, arrives. false: nothing. */
 static bool light_from(const Shadow *q, const Vec3 *dir, const Vec3 *to, Rgb *light)
 {
-    Ray r = { surface_leave(q->at, *dir), *dir, 0 };
-    double t_max = surface_stop_before(r.origin, *to, vec_dot(vec_sub(*to, r.origin), r.dir));
-    if (!(t_max > 0)) return true;   /* a parallel light's plane is behind the point: nothing can stand between */
+    double t_max;
+    Ray r = ray_to_light(q->at, *dir, *to, &t_max);
+    if (!(t_max > 0)) return true;
     q->trace->is_shadow_ray = true;
     q->trace->counters.shadow_rays++;
     bool may_be_filtered, is_blocked = scene_blocks(q->around->scene, &r, t_max, &may_be_filtered, q->trace);
@@ -194,4 +203,58 @@ bool shadow_light(const Shadow *q, const Light *l, LightAt *lit)
     if (!light_is_parallel(l)) return light_from_point(q, l, lit);
     Vec3 to = vec_add(q->at->point, vec_scale(lit->direction, lit->distance));
     return light_from(q, &lit->direction, &to, &lit->color);
+}
+
+/* ---- neighbours ---- */
+
+/* Rays that begin on neighbouring surfaces and end at one light. */
+typedef struct {
+    RayBunch rays;
+    BunchLane lane[BUNCH_WIDTH];
+    double t_max[BUNCH_WIDTH];
+} ShadowBunch;
+
+/* Returns the lanes of those that something may stand in the way of. */
+static Lanes begin_bunch(const Shadow *const q[], BunchLane *const lane[], int n, const Light *l, const LightAt lit[],
+                         ShadowBunch *k)
+{
+    Lanes asked = 0;
+    k->rays.n = n, k->rays.lane = k->lane;
+    for (int i = 0; i < n; i++) {
+        k->rays.ray[i] = ray_to_light(q[i]->at, lit[i].direction, l->position, &k->t_max[i]);
+        k->lane[i] = *lane[i];
+        if (k->t_max[i] > 0) asked |= 1u << i;
+    }
+    bunch_set_lanes(&k->rays);
+    return asked;
+}
+
+static Lanes blocked_lanes(ShadowBunch *k, Lanes asked, const Shadow *q, const Light *l, Lanes *may_be_filtered)
+{
+    Trace *t = q->trace;
+    Apex apex = apex_make(l->position);
+    if (q->has_neighbours && t->pencils) t->apex = &apex;
+    t->blockers.aim = l;
+    t->counters.shadow_rays += (uint64_t)__builtin_popcount(asked);
+    Lanes blocked = scene_blocks_bunch(q->around->scene, &k->rays, asked, k->t_max, may_be_filtered, t);
+    t->apex = NULL;
+    return blocked;
+}
+
+Lanes shadow_light_bunch(const Shadow *const q[], BunchLane *const lane[], int n, const Light *l, LightAt lit[])
+{
+    Trace *t = q[0]->trace;
+    ShadowBunch k;
+    Lanes asked = begin_bunch(q, lane, n, l, lit, &k), filtered;
+    t->is_shadow_ray = true;
+    Lanes arrives = bunch_all(&k.rays) & ~blocked_lanes(&k, asked, q[0], l, &filtered);
+    for (filtered &= arrives; filtered; ) {
+        int i = lanes_next(&filtered);
+        lane_begin(&k.lane[i], t);
+        lit[i].color = through_filters(q[i], &k.rays.ray[i], k.t_max[i], lit[i].color);
+        lane_end(&k.lane[i], t);
+    }
+    t->is_shadow_ray = false;
+    for (int i = 0; i < n; i++) lane[i]->root = k.lane[i].root;
+    return arrives;
 }

@@ -2,6 +2,7 @@
 #ifndef TRIMRAY_SHADOW_H
 #define TRIMRAY_SHADOW_H
 
+#include "render/bunch.h"
 #include "render/media.h"
 #include "render/surface.h"
 
@@ -17,6 +18,10 @@ typedef struct {
 /* Leaves in lit->color (of light_at for the light's own position) what arrives: less what the blockers take. For area lights
  * the mean over the samples, taken adaptively as POV-Ray does. false: surely nothing. */
 bool shadow_light(const Shadow *q, const Light *l, LightAt *lit);
+
+/* The same for n surfaces that neighbouring camera rays see, at most BUNCH_WIDTH, and a light with is_plain: the lanes of
+ * those that light may reach. lane[i] is that of the ray that sees surface i. */
+Lanes shadow_light_bunch(const Shadow *const q[], BunchLane *const lane[], int n, const Light *l, LightAt lit[]);
 
 /* Where sample (i, j) of an area light is, seen from `point`; i < l->area_n_u, j < l->area_n_v. */
 Vec3 shadow_area_sample(const Light *l, Vec3 point, int i, int j);

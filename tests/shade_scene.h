@@ -117,7 +117,9 @@ static inline Pixel pixel_at(const Scene *s, int x, int y, int n, int quality, C
 {
     Trace t = { .scratch = arena_new() };
     Ray r = camera_ray(&s->camera, x, y, n, n);
-    Pixel p = shade_camera_ray(s, &r, quality, &t);
+    uint64_t seed = 0;
+    Pixel p;
+    shade_camera_rays(s, &r, &seed, 1, quality, &t, &p);
     arena_free(t.scratch);
     if (counters) *counters = t.counters;
     return p;

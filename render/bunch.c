@@ -5,9 +5,18 @@ void bunch_set_lanes(RayBunch *b)
 {
     for (int i = 0; i < BUNCH_WIDTH; i++) {
         const Ray *r = &b->ray[int_min(i, b->n - 1)];
-        b->origin.x[i] = r->origin.x, b->origin.y[i] = r->origin.y, b->origin.z[i] = r->origin.z;
-        b->dir.x[i] = r->dir.x, b->dir.y[i] = r->dir.y, b->dir.z[i] = r->dir.z;
+        vec8_set(&b->origin, i, r->origin), vec8_set(&b->dir, i, r->dir);
         b->t_min[i] = r->t_min;
+    }
+}
+
+void bunch_set_rays(RayBunch *b)
+{
+    for (int i = 0; i < b->n; i++) {
+        Ray *r = &b->ray[i];
+        r->origin.x = b->origin.x[i], r->origin.y = b->origin.y[i], r->origin.z = b->origin.z[i];
+        r->dir.x = b->dir.x[i], r->dir.y = b->dir.y[i], r->dir.z = b->dir.z[i];
+        r->t_min = b->t_min[i];
     }
 }
 

@@ -5,10 +5,7 @@
 #define TRIMRAY_BUNCH_H
 
 #include "render/shape.h"
-#include "render/simd.h"
-
-/* Eight vectors, component by component. */
-typedef struct { V8d x, y, z; } Vec3x8;
+#include "render/vec8.h"
 
 /* What Trace has of one ray alone: a ray that is traced by itself finds it there (bunch_begin) and leaves it (bunch_end). */
 typedef struct {
@@ -25,8 +22,9 @@ struct RayBunch {
     V8d t_min;
 };
 
-/* Sets the lanes from ray[0 .. n). */
+/* Sets the lanes from ray[0 .. n), or these from the lanes. */
 void bunch_set_lanes(RayBunch *b);
+void bunch_set_rays(RayBunch *b);
 
 static inline Lanes bunch_all(const RayBunch *b) { return (1u << b->n) - 1; }
 
@@ -47,7 +45,7 @@ static inline void lane_begin(const BunchLane *lane, Trace *t)
 static inline void lane_end(BunchLane *lane, const Trace *t) { lane->root = t->root, lane->left_out |= t->left_out; }
 
 static inline void bunch_begin(const RayBunch *b, int i, Trace *t) { lane_begin(&b->lane[i], t); }
-static inline void bunch_end(RayBunch *b, int i, const Trace *t) { lane_end(&b->lane[i], t); }
+static inline void bunch_end(const RayBunch *b, int i, const Trace *t) { lane_end(&b->lane[i], t); }
 
 /* Each ray of `lanes` as shape_hit and shape_blocks have it, with best[i], t_max[i]: the lanes that were hit, that are
  * blocked. */

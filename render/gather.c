@@ -16,7 +16,7 @@ static bool answers_light(const Gathering *g)
     return false;
 }
 
-static bool any_lit_from_behind(const Gathering *g)
+static bool any_layer_from_behind(const Gathering *g)
 {
     for (int i = 0; i < g->n; i++)
         if (g->layers[i].finish->diffuse_back > 0) return true;
@@ -65,19 +65,17 @@ static Rgb quotient(Rgb a, Rgb b)
     return rgb(b.r != 0 ? a.r / b.r : 0, b.g != 0 ? a.g / b.g : 0, b.b != 0 ? a.b / b.b : 0);
 }
 
-/* May it shine on the surface, from the direction that light_at says, if nothing is in its way? */
-static bool may_light(const Gathering *g, const LightAt *lit)
+static bool is_lit_from_behind(const Gathering *g)
 {
-    const Surface *at = g->shadow.at;
-    bool is_facing = vec_dot(at->normal, lit->direction) >= GRAZING_LIGHT;
-    return is_facing || any_lit_from_behind(g) || is_double_illuminated(at->hit);
+    return any_layer_from_behind(g) || is_double_illuminated(g->shadow.at->hit);
 }
 
 static void gather(Gathering *g, const Light *l, int quality)
 {
     bool is_spread = !l->is_plain && l->is_area && l->area_illumination && quality >= Q_AREA_LIGHTS;
     LightAt lit = light_at(l, l->position, g->shadow.at->point);
-    if (!is_spread && !may_light(g, &lit)) return;
+    bool is_facing = vec_dot(g->shadow.at->normal, lit.direction) >= GRAZING_LIGHT;
+    if (!is_facing && !is_spread && !is_lit_from_behind(g)) return;
     Rgb unblocked = lit.color;
     if (quality >= Q_SHADOWS && !shadow_light(&g->shadow, l, &lit)) return;
     if (is_spread) gather_from_area(g, l, quotient(lit.color, unblocked));
@@ -92,49 +90,79 @@ void gather_light(Gathering *g, int quality)
     for (size_t i = 0; i < s->n_lights; i++) gather(g, &s->lights[i], quality);
 }
 
-/* A plain light, with shadows, on as many surfaces as it may shine on. */
-static void gather_bunch(Gathering *const of[], BunchLane *const lane[], int n, const Light *l)
+/* ---- neighbours ---- */
+
+/* Surfaces in lanes; those that are not asked for repeat another. */
+static void set_places(Gathering *const of[], Lanes lanes, SurfaceLanes *out, Vec3x8 *normal)
 {
-    Gathering *on[BUNCH_WIDTH];
-    const Shadow *shadow[BUNCH_WIDTH];
-    BunchLane *lane_of[BUNCH_WIDTH];
-    LightAt lit[BUNCH_WIDTH];
-    int n_lit = 0;
-    for (int i = 0; i < n; i++) {
-        lit[n_lit] = light_at(l, l->position, of[i]->shadow.at->point);
-        on[n_lit] = of[i], shadow[n_lit] = &of[i]->shadow, lane_of[n_lit] = lane[i];
-        n_lit += may_light(of[i], &lit[n_lit]);
-    }
-    if (n_lit == 0) return;
-    for (Lanes arrives = shadow_light_bunch(shadow, lane_of, n_lit, l, lit); arrives; ) {
-        int i = lanes_next(&arrives);
-        gather_from(on[i], l, &lit[i]);
+    int any = __builtin_ctz(lanes);
+    for (int i = 0; i < BUNCH_WIDTH; i++) {
+        const Surface *at = of[lanes >> i & 1 ? i : any]->shadow.at;
+        vec8_set(&out->point, i, at->point), vec8_set(&out->geometric, i, at->geometric), vec8_set(normal, i, at->normal);
+        out->offset[i] = at->offset;
     }
 }
 
-void gather_light_bunch(Gathering *const of[], BunchLane *const lane[], int n, int quality)
+/* The way to a plain light; the lanes of surfaces that face it. */
+EVERY_X86
+static Lanes face_light(const Light *l, const SurfaceLanes *at, const Vec3x8 *normal, Vec3x8 *direction)
 {
-    Gathering *answering[BUNCH_WIDTH];
-    BunchLane *lane_of[BUNCH_WIDTH];
-    int n_answering = 0;
-    for (int i = 0; i < n; i++) {
-        if (!answers_light(of[i])) continue;
-        of[i]->shadow.has_areas = quality >= Q_AREA_LIGHTS;
-        answering[n_answering] = of[i], lane_of[n_answering++] = lane[i];
+    *direction = vec8_normalize(vec8_sub(vec8_splat(l->position), at->point));
+    return v8l_mask(vec8_dot(*normal, *direction) >= GRAZING_LIGHT);
+}
+
+/* A plain light, with shadows. */
+static void gather_plain(Gathering *const of[], Lanes lanes, const RayBunch *seen_by, const SurfaceLanes *at,
+                         const Vec3x8 *normal, const Light *l)
+{
+    Vec3x8 direction;
+    Rgb color[BUNCH_WIDTH];
+    Lanes facing = face_light(l, at, normal, &direction), asked = lanes & facing;
+    for (Lanes turned = lanes & ~facing; turned; ) {
+        int i = lanes_next(&turned);
+        if (is_lit_from_behind(of[i])) asked |= 1u << i;
     }
-    if (n_answering == 0) return;
-    const Scene *s = of[0]->shadow.around->scene;
+    if (!asked) return;
+    const Shadow *shadow[BUNCH_WIDTH];
+    for (int i = 0; i < seen_by->n; i++) shadow[i] = &of[i]->shadow, color[i] = l->color;
+    for (Lanes arrives = shadow_light_bunch(shadow, asked, seen_by, at, l, &direction, color); arrives; ) {
+        int i = lanes_next(&arrives);
+        LightAt lit = { vec8_get(&direction, i), 0, color[i] };
+        gather_from(of[i], l, &lit);
+    }
+}
+
+static Lanes answering(Gathering *const of[], Lanes lanes, int quality)
+{
+    Lanes answer = 0;
+    while (lanes) {
+        int i = lanes_next(&lanes);
+        of[i]->shadow.has_areas = quality >= Q_AREA_LIGHTS;
+        if (answers_light(of[i])) answer |= 1u << i;
+    }
+    return answer;
+}
+
+void gather_light_bunch(Gathering *const of[], Lanes lanes, const RayBunch *seen_by, int quality)
+{
+    SurfaceLanes at;
+    Vec3x8 normal;
+    const Scene *s = of[__builtin_ctz(lanes)]->shadow.around->scene;
+    lanes = answering(of, lanes, quality);
+    if (!lanes) return;
+    set_places(of, lanes, &at, &normal);
     for (size_t k = 0; k < s->n_lights; k++) {
         const Light *l = &s->lights[k];
         if (l->is_plain && quality >= Q_SHADOWS) {
-            gather_bunch(answering, lane_of, n_answering, l);
+            gather_plain(of, lanes, seen_by, &at, &normal, l);
             continue;
         }
-        for (int i = 0; i < n_answering; i++) {
-            Trace *t = answering[i]->shadow.trace;
-            lane_begin(lane_of[i], t);
-            gather(answering[i], l, quality);
-            lane_end(lane_of[i], t);
+        for (Lanes left = lanes; left; ) {
+            int i = lanes_next(&left);
+            Trace *t = of[i]->shadow.trace;
+            bunch_begin(seen_by, i, t);
+            gather(of[i], l, quality);
+            bunch_end(seen_by, i, t);
         }
     }
 }

@@ -24,8 +24,8 @@ typedef struct {
 /* Adds to diffuse and shine what each light of the scene gives, as far as +Q wants it. */
 void gather_light(Gathering *g, int quality);
 
-/* The same for n surfaces that neighbouring camera rays see, at most BUNCH_WIDTH; lane[i] is that of surface i's ray. */
-void gather_light_bunch(Gathering *const of[], BunchLane *const lane[], int n, int quality);
+/* The same for those of the surfaces that a bunch of camera rays sees which are in `lanes`, at least one. */
+void gather_light_bunch(Gathering *const of[], Lanes lanes, const RayBunch *seen_by, int quality);
 
 /* What the layers send to the eye of the light that was gathered. */
 Rgb gathered_light(const Gathering *g);

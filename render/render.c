@@ -87,13 +87,12 @@ static void render_bunch(const Sampler *s, const Vec2 at[], int n, Pixel out[])
 {
     const RenderOptions *o = s->job->options;
     const Scene *scene = s->job->scene;
-    Ray rays[BUNCH_WIDTH];
-    uint64_t seeds[BUNCH_WIDTH];
-    for (int i = 0; i < n; i++) {
-        seeds[i] = seed_at(o, at[i].x, at[i].y);
-        rays[i] = camera_ray(&scene->camera, at[i].x, at[i].y, o->width, o->height);
-    }
-    shade_camera_rays(scene, rays, seeds, n, o->quality, s->trace, out);
+    RayBunch rays;
+    BunchLane lane[BUNCH_WIDTH];
+    camera_rays(&scene->camera, at, n, o->width, o->height, &rays);
+    rays.lane = lane;
+    for (int i = 0; i < n; i++) lane[i] = (BunchLane){ .seed = seed_at(o, at[i].x, at[i].y) };
+    shade_camera_rays(scene, &rays, o->quality, s->trace, out);
 }
 
 static void render_samples(void *context, const Vec2 at[], int n, Pixel out[])

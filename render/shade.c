@@ -293,8 +293,7 @@ static const Path FROM_CAMERA = { .weight = 1, .kind = RAY_CAMERA, .media = MEDI
 
 /* Neighbouring camera rays, and what is found of each on the way. */
 typedef struct {
-    RayBunch rays;
-    BunchLane lane[BUNCH_WIDTH];
+    RayBunch *rays;
     Tracer tracer[BUNCH_WIDTH];
     Hit hit[BUNCH_WIDTH];
     Surface at[BUNCH_WIDTH];
@@ -303,9 +302,9 @@ typedef struct {
 
 static Lanes hit_of_camera(const Scene *s, CameraBunch *k, Trace *t)
 {
-    Apex camera = apex_make(k->rays.ray[0].origin);
+    Apex camera = apex_make(k->rays->ray[0].origin);
     t->apex = t->pencils && s->camera.kind == CAMERA_PERSPECTIVE ? &camera : NULL;
-    Lanes hit = scene_hit_bunch(s, &k->rays, RAY_CAMERA, k->hit, t);
+    Lanes hit = scene_hit_bunch(s, k->rays, RAY_CAMERA, k->hit, t);
     t->apex = NULL;
     return hit;
 }
@@ -314,18 +313,22 @@ static Lanes hit_of_camera(const Scene *s, CameraBunch *k, Trace *t)
 static Lanes look_at_surfaces(CameraBunch *k, Lanes hit, Pixel out[])
 {
     Lanes lit = 0;
-    for (int i = 0; i < k->rays.n; i++) {
+    for (int i = 0; i < k->rays->n; i++) {
         Tracer *x = &k->tracer[i];
-        const Ray *r = &k->rays.ray[i];
+        const Ray *r = &k->rays->ray[i];
         if (!(hit >> i & 1)) {
             out[i] = sky_color(x->scene, r->dir);
             continue;
         }
-        lane_begin(&k->lane[i], x->trace);
         surface_at(x->scene, r, &k->hit[i], &k->at[i]);
-        if (is_lit(x, &k->at[i])) walk_texture(&k->shading[i], x, &k->at[i], &FROM_CAMERA), lit |= 1u << i;
-        else out[i] = shade_unlit(x, &k->at[i], &FROM_CAMERA);
-        lane_end(&k->lane[i], x->trace);
+        if (is_lit(x, &k->at[i])) {
+            walk_texture(&k->shading[i], x, &k->at[i], &FROM_CAMERA);
+            lit |= 1u << i;
+        } else {
+            bunch_begin(k->rays, i, x->trace);
+            out[i] = shade_unlit(x, &k->at[i], &FROM_CAMERA);
+            bunch_end(k->rays, i, x->trace);
+        }
     }
     return lit;
 }
@@ -333,45 +336,31 @@ static Lanes look_at_surfaces(CameraBunch *k, Lanes hit, Pixel out[])
 static void shade_lit(CameraBunch *k, Lanes lit, Pixel out[])
 {
     Gathering *of[BUNCH_WIDTH];
-    BunchLane *lane[BUNCH_WIDTH];
-    int n = 0;
-    for (Lanes left = lit; left; n++) {
-        int i = lanes_next(&left);
-        of[n] = &k->shading[i].light, lane[n] = &k->lane[i];
-    }
-    gather_light_bunch(of, lane, n, k->tracer[0].quality);
+    for (int i = 0; i < k->rays->n; i++) of[i] = &k->shading[i].light;
+    gather_light_bunch(of, lit, k->rays, k->tracer[0].quality);
     while (lit) {
         int i = lanes_next(&lit);
-        lane_begin(&k->lane[i], k->tracer[i].trace);
+        bunch_begin(k->rays, i, k->tracer[i].trace);
         out[i] = finish_texture(&k->shading[i]);
-        lane_end(&k->lane[i], k->tracer[i].trace);
+        bunch_end(k->rays, i, k->tracer[i].trace);
     }
 }
 
-static void begin_camera_bunch(const Scene *s, const Ray rays[], const uint64_t seeds[], int n, int quality, Trace *t,
-                               CameraBunch *k)
+void shade_camera_rays(const Scene *s, RayBunch *rays, int quality, Trace *t, Pixel out[])
 {
-    k->rays.n = n, k->rays.lane = k->lane;
-    for (int i = 0; i < n; i++) {
-        k->rays.ray[i] = rays[i];
-        k->lane[i] = (BunchLane){ .seed = seeds[i] };
-        k->tracer[i] = (Tracer){ s, t, quality, { .scene = s, .scratch = t->scratch, .camera = rays[i].origin } };
-    }
-    bunch_set_lanes(&k->rays);
-}
-
-void shade_camera_rays(const Scene *s, const Ray rays[], const uint64_t seeds[], int n, int quality, Trace *t, Pixel out[])
-{
+    int n = rays->n;
     if (s->max_trace_level <= 0 || s->adc_bailout > FROM_CAMERA.weight) {
         for (int i = 0; i < n; i++) out[i] = (Pixel){ 0 };
         return;
     }
     ArenaMark mark = arena_mark(t->scratch);
     CameraBunch k;
-    begin_camera_bunch(s, rays, seeds, n, quality, t, &k);
+    k.rays = rays;
+    for (int i = 0; i < n; i++)
+        k.tracer[i] = (Tracer){ s, t, quality, { .scene = s, .scratch = t->scratch, .camera = rays->ray[i].origin } };
     t->counters.camera_rays += (uint64_t)n;
     Lanes lit = look_at_surfaces(&k, hit_of_camera(s, &k, t), out);
     if (lit) shade_lit(&k, lit, out);
-    for (int i = 0; i < n; i++) out[i] = through_fog(&k.tracer[i], &k.rays.ray[i], k.hit[i].t, &FROM_CAMERA, out[i]);
+    for (int i = 0; i < n; i++) out[i] = through_fog(&k.tracer[i], &rays->ray[i], k.hit[i].t, &FROM_CAMERA, out[i]);
     arena_reset(t->scratch, mark);
 }

@@ -5,8 +5,7 @@
 #include "render/film.h"
 #include "render/scene.h"
 
-/* The colours seen along n neighbouring camera rays, 1 to BUNCH_WIDTH, with quality +Q. seeds: of the rays, as Trace has
- * them. */
-void shade_camera_rays(const Scene *s, const Ray rays[], const uint64_t seeds[], int n, int quality, Trace *t, Pixel out[]);
+/* The colours seen along the rays of a bunch, which are neighbours and come from the camera, with quality +Q. */
+void shade_camera_rays(const Scene *s, RayBunch *rays, int quality, Trace *t, Pixel out[]);
 
 #endif

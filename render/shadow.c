@@ -207,54 +207,51 @@ bool shadow_light(const Shadow *q, const Light *l, LightAt *lit)
 
 /* ---- neighbours ---- */
 
-/* Rays that begin on neighbouring surfaces and end at one light. */
-typedef struct {
-    RayBunch rays;
-    BunchLane lane[BUNCH_WIDTH];
-    double t_max[BUNCH_WIDTH];
-} ShadowBunch;
-
-/* Returns the lanes of those that something may stand in the way of. */
-static Lanes begin_bunch(const Shadow *const q[], BunchLane *const lane[], int n, const Light *l, const LightAt lit[],
-                         ShadowBunch *k)
+/* ray_to_light for a light's position; sets all of the bunch but n and `lane`. The lanes of those with room for a blocker. */
+EVERY_X86
+static Lanes rays_to_light(const SurfaceLanes *at, const Light *l, const Vec3x8 *dir, RayBunch *out, V8d *t_max)
 {
-    Lanes asked = 0;
-    k->rays.n = n, k->rays.lane = k->lane;
-    for (int i = 0; i < n; i++) {
-        k->rays.ray[i] = ray_to_light(q[i]->at, lit[i].direction, l->position, &k->t_max[i]);
-        k->lane[i] = *lane[i];
-        if (k->t_max[i] > 0) asked |= 1u << i;
-    }
-    bunch_set_lanes(&k->rays);
-    return asked;
+    Vec3x8 to = vec8_splat(l->position);
+    V8d cosine = vec8_dot(*dir, at->geometric);
+    V8d offset = v8d_select(cosine < 0, -at->offset, at->offset);
+    out->origin = vec8_add(at->point, vec8_scale(at->geometric, offset));
+    out->dir = *dir;
+    out->t_min = v8d_splat(0);
+    *t_max = surface_stop_before_8(&out->origin, &to, vec8_dot(vec8_sub(to, out->origin), *dir));
+    bunch_set_rays(out);
+    return v8l_mask(*t_max > 0);
 }
 
-static Lanes blocked_lanes(ShadowBunch *k, Lanes asked, const Shadow *q, const Light *l, Lanes *may_be_filtered)
+static Lanes blocked_lanes(RayBunch *rays, Lanes lanes, const double t_max[], const Shadow *q, const Light *l,
+                           Lanes *may_be_filtered)
 {
     Trace *t = q->trace;
     Apex apex = apex_make(l->position);
     if (q->has_neighbours && t->pencils) t->apex = &apex;
     t->blockers.aim = l;
-    t->counters.shadow_rays += (uint64_t)__builtin_popcount(asked);
-    Lanes blocked = scene_blocks_bunch(q->around->scene, &k->rays, asked, k->t_max, may_be_filtered, t);
+    t->counters.shadow_rays += (uint64_t)__builtin_popcount(lanes);
+    Lanes blocked = scene_blocks_bunch(q->around->scene, rays, lanes, t_max, may_be_filtered, t);
     t->apex = NULL;
     return blocked;
 }
 
-Lanes shadow_light_bunch(const Shadow *const q[], BunchLane *const lane[], int n, const Light *l, LightAt lit[])
+Lanes shadow_light_bunch(const Shadow *const q[], Lanes lanes, const RayBunch *seen_by, const SurfaceLanes *at,
+                         const Light *l, const Vec3x8 *direction, Rgb color[])
 {
-    Trace *t = q[0]->trace;
-    ShadowBunch k;
-    Lanes asked = begin_bunch(q, lane, n, l, lit, &k), filtered;
+    const Shadow *any = q[__builtin_ctz(lanes)];
+    Trace *t = any->trace;
+    RayBunch rays;
+    V8d t_max;
+    rays.n = seen_by->n, rays.lane = seen_by->lane;
+    Lanes asked = lanes & rays_to_light(at, l, direction, &rays, &t_max), filtered;
     t->is_shadow_ray = true;
-    Lanes arrives = bunch_all(&k.rays) & ~blocked_lanes(&k, asked, q[0], l, &filtered);
+    Lanes arrives = lanes & ~blocked_lanes(&rays, asked, (const double *)&t_max, any, l, &filtered);
     for (filtered &= arrives; filtered; ) {
         int i = lanes_next(&filtered);
-        lane_begin(&k.lane[i], t);
-        lit[i].color = through_filters(q[i], &k.rays.ray[i], k.t_max[i], lit[i].color);
-        lane_end(&k.lane[i], t);
+        bunch_begin(&rays, i, t);
+        color[i] = through_filters(q[i], &rays.ray[i], t_max[i], color[i]);
+        bunch_end(&rays, i, t);
     }
     t->is_shadow_ray = false;
-    for (int i = 0; i < n; i++) lane[i]->root = k.lane[i].root;
     return arrives;
 }

@@ -19,9 +19,11 @@ typedef struct {
  * the mean over the samples, taken adaptively as POV-Ray does. false: surely nothing. */
 bool shadow_light(const Shadow *q, const Light *l, LightAt *lit);
 
-/* The same for n surfaces that neighbouring camera rays see, at most BUNCH_WIDTH, and a light with is_plain: the lanes of
- * those that light may reach. lane[i] is that of the ray that sees surface i. */
-Lanes shadow_light_bunch(const Shadow *const q[], BunchLane *const lane[], int n, const Light *l, LightAt lit[]);
+/* The same for the surfaces that a bunch of camera rays sees, and a light with is_plain: which of `lanes` it may reach.
+ * direction: to the light; color: in and out. */
+typedef struct { Vec3x8 point, geometric; V8d offset; } SurfaceLanes;    /* of Surface */
+Lanes shadow_light_bunch(const Shadow *const q[], Lanes lanes, const RayBunch *seen_by, const SurfaceLanes *at,
+                         const Light *l, const Vec3x8 *direction, Rgb color[]);
 
 /* Where sample (i, j) of an area light is, seen from `point`; i < l->area_n_u, j < l->area_n_v. */
 Vec3 shadow_area_sample(const Light *l, Vec3 point, int i, int j);

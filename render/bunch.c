@@ -1,13 +1,14 @@
 /* Bunches of rays: their lanes, and shapes that do not know them. */
 #include "render/bunch.h"
 
+EVERY_X86
 void bunch_set_lanes(RayBunch *b)
 {
-    for (int i = 0; i < BUNCH_WIDTH; i++) {
-        const Ray *r = &b->ray[int_min(i, b->n - 1)];
-        vec8_set(&b->origin, i, r->origin), vec8_set(&b->dir, i, r->dir);
-        b->t_min[i] = r->t_min;
-    }
+    const void *ray[BUNCH_WIDTH];
+    for (int i = 0; i < BUNCH_WIDTH; i++) ray[i] = &b->ray[int_min(i, b->n - 1)];
+    b->origin = vec8_gather(ray, offsetof(Ray, origin));
+    b->dir = vec8_gather(ray, offsetof(Ray, dir));
+    b->t_min = v8d_gather(ray, offsetof(Ray, t_min));
 }
 
 void bunch_set_rays(RayBunch *b)

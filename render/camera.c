@@ -94,8 +94,9 @@ Ray camera_ray(const Camera *c, double x, double y, int w, int h)
 EVERY_X86
 void camera_rays(const Camera *c, const Vec2 at[], int n, int w, int h, RayBunch *out)
 {
-    V8d x, y;
-    for (int i = 0; i < BUNCH_WIDTH; i++) x[i] = at[int_min(i, n - 1)].x, y[i] = at[int_min(i, n - 1)].y;
+    const void *place[BUNCH_WIDTH];
+    for (int i = 0; i < BUNCH_WIDTH; i++) place[i] = &at[int_min(i, n - 1)];
+    V8d x = v8d_gather(place, offsetof(Vec2, x)), y = v8d_gather(place, offsetof(Vec2, y));
     V8d u = (x + .5) / w - .5, v = .5 - (y + .5) / h;
     Vec3x8 across = vec8_add(vec8_scale(vec8_splat(c->right), u), vec8_scale(vec8_splat(c->up), v));
     Vec3x8 location = vec8_splat(c->location), direction = vec8_splat(c->direction);

@@ -93,14 +93,16 @@ void gather_light(Gathering *g, int quality)
 /* ---- neighbours ---- */
 
 /* Surfaces in lanes; those that are not asked for repeat another. */
+EVERY_X86
 static void set_places(Gathering *const of[], Lanes lanes, SurfaceLanes *out, Vec3x8 *normal)
 {
     int any = __builtin_ctz(lanes);
-    for (int i = 0; i < BUNCH_WIDTH; i++) {
-        const Surface *at = of[lanes >> i & 1 ? i : any]->shadow.at;
-        vec8_set(&out->point, i, at->point), vec8_set(&out->geometric, i, at->geometric), vec8_set(normal, i, at->normal);
-        out->offset[i] = at->offset;
-    }
+    const void *at[BUNCH_WIDTH];
+    for (int i = 0; i < BUNCH_WIDTH; i++) at[i] = of[lanes >> i & 1 ? i : any]->shadow.at;
+    out->point = vec8_gather(at, offsetof(Surface, point));
+    out->geometric = vec8_gather(at, offsetof(Surface, geometric));
+    out->offset = v8d_gather(at, offsetof(Surface, offset));
+    *normal = vec8_gather(at, offsetof(Surface, normal));
 }
 
 /* The way to a plain light; the lanes of surfaces that face it. */

@@ -335,14 +335,15 @@ static Lanes look_at_surfaces(CameraBunch *k, Lanes hit, Pixel out[])
 
 static void shade_lit(CameraBunch *k, Lanes lit, Pixel out[])
 {
+    bool traces = k->tracer[0].scene->needs_secondary_rays;
     Gathering *of[BUNCH_WIDTH];
     for (int i = 0; i < k->rays->n; i++) of[i] = &k->shading[i].light;
     gather_light_bunch(of, lit, k->rays, k->tracer[0].quality);
     while (lit) {
         int i = lanes_next(&lit);
-        bunch_begin(k->rays, i, k->tracer[i].trace);
+        if (traces) bunch_begin(k->rays, i, k->tracer[i].trace);
         out[i] = finish_texture(&k->shading[i]);
-        bunch_end(k->rays, i, k->tracer[i].trace);
+        if (traces) bunch_end(k->rays, i, k->tracer[i].trace);
     }
 }
 

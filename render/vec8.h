@@ -4,6 +4,8 @@
 
 #include "render/simd.h"
 
+#include <stddef.h>
+
 typedef struct { V8d x, y, z; } Vec3x8;
 
 ALWAYS_INLINE V8d v8d_splat(double x) { return (V8d){ x, x, x, x, x, x, x, x }; }
@@ -29,6 +31,22 @@ ALWAYS_INLINE V8d vec8_dot(Vec3x8 a, Vec3x8 b) { return a.x * b.x + a.y * b.y + 
 
 static inline Vec3 vec8_get(const Vec3x8 *a, int i) { return vec(a->x[i], a->y[i], a->z[i]); }
 static inline void vec8_set(Vec3x8 *a, int i, Vec3 v) { a->x[i] = v.x, a->y[i] = v.y, a->z[i] = v.z; }
+
+/* The numbers, the vectors, so many bytes behind each of eight places. (They do not go through memory again: eight numbers that
+ * were just stored one by one cannot be loaded as one vector before they have reached the cache.) */
+ALWAYS_INLINE V8d v8d_gather(const void *const from[8], size_t offset)
+{
+    const char *const *p = (const char *const *)from;
+#define AT(i) *(const double *)(p[i] + offset)
+    return (V8d){ AT(0), AT(1), AT(2), AT(3), AT(4), AT(5), AT(6), AT(7) };
+#undef AT
+}
+
+ALWAYS_INLINE Vec3x8 vec8_gather(const void *const from[8], size_t offset)
+{
+    return (Vec3x8){ v8d_gather(from, offset + offsetof(Vec3, x)), v8d_gather(from, offset + offsetof(Vec3, y)),
+                     v8d_gather(from, offset + offsetof(Vec3, z)) };
+}
 
 /* As vec_normalize. */
 ALWAYS_INLINE Vec3x8 vec8_normalize(Vec3x8 a)

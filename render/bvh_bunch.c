@@ -266,7 +266,8 @@ ALWAYS_INLINE V8f v8f_only(Lanes lanes, V8f a, V8f otherwise)
     return v8f_select(((int)lanes & bit) == bit, a, otherwise);
 }
 
-ALWAYS_INLINE Lanes walk_entries(Walk *w, RayBunch *b, const PencilEntry entries[], int n, double t_max[], Visitor v, Trace *t)
+ALWAYS_INLINE Lanes walk_entries(Walk *w, RayBunch *b, const PencilEntry entries[], int n, double t_max[], Visitor v,
+                                 Trace *t)
 {
     Lanes left = 0, ended = 0;
     for (int i = 0; i < n; i++) left |= entries[i].lanes;

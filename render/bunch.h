@@ -14,15 +14,27 @@ typedef struct {
     unsigned left_out;
 } BunchLane;
 
+/* The rays as a tree of eight-wide boxes sees them (bvh_bunch.c), as WideRay has one; they are made by the first tree that
+ * needs them, and serve for those within its bounds. */
+typedef struct {
+    V8f inverse[3], near_shift[3], far_shift[3], t_min;
+    V8d start, scale;
+    Lanes negative[3];           /* rays whose direction is, along each axis */
+    Lanes meeting;               /* rays that meet the bounds at all */
+} BunchSlabs;
+
 struct RayBunch {
     int n;                       /* rays, 1 to BUNCH_WIDTH; lanes from there on repeat the last */
     Ray ray[BUNCH_WIDTH];
     BunchLane *lane;             /* of these, in whichever space they are */
     Vec3x8 origin, dir;          /* the same as `ray` */
     V8d t_min;
+    bool has_slabs;
+    Box slabs_bounds;
+    BunchSlabs slabs;
 };
 
-/* Sets the lanes from ray[0 .. n), or these from the lanes. */
+/* Sets the lanes from ray[0 .. n), or these from the lanes, and forgets what was made of others. */
 void bunch_set_lanes(RayBunch *b);
 void bunch_set_rays(RayBunch *b);
 

@@ -110,7 +110,7 @@ EVERY_X86
 static Lanes face_light(const Light *l, const SurfaceLanes *at, const Vec3x8 *normal, Vec3x8 *direction)
 {
     *direction = vec8_normalize(vec8_sub(vec8_splat(l->position), at->point));
-    return v8l_mask(vec8_dot(*normal, *direction) >= GRAZING_LIGHT);
+    return v8l_mask(~v8d_less(vec8_dot(*normal, *direction), v8d_splat(GRAZING_LIGHT)));
 }
 
 /* A plain light, with shadows. */

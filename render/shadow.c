@@ -213,13 +213,13 @@ static Lanes rays_to_light(const SurfaceLanes *at, const Light *l, const Vec3x8 
 {
     Vec3x8 to = vec8_splat(l->position);
     V8d cosine = vec8_dot(*dir, at->geometric);
-    V8d offset = v8d_select(cosine < 0, -at->offset, at->offset);
+    V8d offset = v8d_select(v8d_less(cosine, v8d_splat(0)), -at->offset, at->offset);
     out->origin = vec8_add(at->point, vec8_scale(at->geometric, offset));
     out->dir = *dir;
     out->t_min = v8d_splat(0);
     *t_max = surface_stop_before_8(&out->origin, &to, vec8_dot(vec8_sub(to, out->origin), *dir));
     bunch_set_rays(out);
-    return v8l_mask(*t_max > 0);
+    return v8l_mask(v8d_less(v8d_splat(0), *t_max));
 }
 
 static Lanes blocked_lanes(RayBunch *rays, Lanes lanes, const double t_max[], const Shadow *q, const Light *l,

@@ -58,15 +58,79 @@ ALWAYS_INLINE V8f v8f_splat(float x)
     return (V8f)(V8i){ bits, bits, bits, bits, bits, bits, bits, bits };
 }
 
-/* Bit i: is lane i of the comparison true? Byte i keeps its bit i alone, and the product sums the bytes into the highest. */
-ALWAYS_INLINE unsigned v8_mask(V8c truth)
+/* Lane i as byte i, the least significant first. */
+ALWAYS_INLINE uint64_t v8_bytes(V8c a)
 {
     uint64_t all;
-    memcpy(&all, &truth, sizeof all);
+    memcpy(&all, &a, sizeof all);
 #if __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
     all = __builtin_bswap64(all);
 #endif
-    return (unsigned)((all & 0x8040201008040201u) * 0x0101010101010101u >> 56);
+    return all;
+}
+
+/* Bit i: is lane i of the comparison true? Byte i keeps its bit i alone, and the product sums the bytes into the highest. */
+ALWAYS_INLINE unsigned v8_mask(V8c truth)
+{
+    return (unsigned)((v8_bytes(truth) & 0x8040201008040201u) * 0x0101010101010101u >> 56);
+}
+
+/* ---- eight doubles ----
+ *
+ * Comparisons and choices are written lane by lane: gcc 12 makes one instruction of each such loop, and eight of the
+ * operators, whose results it has no register for with AVX-512. */
+typedef double V8dUnaligned __attribute__((vector_size(64), aligned(8), may_alias));
+
+ALWAYS_INLINE V8d v8d_load_doubles(const double *p) { return *(const V8dUnaligned *)p; }
+ALWAYS_INLINE V8d v8d_splat(double x) { return (V8d){ x, x, x, x, x, x, x, x }; }
+
+/* Lanes are all ones where it is true. */
+ALWAYS_INLINE V8l v8d_less(V8d a, V8d b)
+{
+    V8l out;
+    for (int i = 0; i < 8; i++) out[i] = a[i] < b[i] ? -1 : 0;
+    return out;
+}
+
+ALWAYS_INLINE V8l v8d_differs(V8d a, V8d b)
+{
+    V8l out;
+    for (int i = 0; i < 8; i++) out[i] = a[i] != b[i] ? -1 : 0;
+    return out;
+}
+
+/* If one is NaN, the result is b, as double_min and double_max have it. */
+ALWAYS_INLINE V8d v8d_min(V8d a, V8d b)
+{
+    V8d out;
+    for (int i = 0; i < 8; i++) out[i] = a[i] < b[i] ? a[i] : b[i];
+    return out;
+}
+
+ALWAYS_INLINE V8d v8d_max(V8d a, V8d b)
+{
+    V8d out;
+    for (int i = 0; i < 8; i++) out[i] = a[i] > b[i] ? a[i] : b[i];
+    return out;
+}
+
+ALWAYS_INLINE V8d v8d_sqrt(V8d a)
+{
+    V8d out;
+    for (int i = 0; i < 8; i++) out[i] = sqrt(a[i]);
+    return out;
+}
+
+ALWAYS_INLINE V8d v8d_abs(V8d a) { return (V8d)((V8l)a & INT64_MAX); }
+ALWAYS_INLINE V8d v8d_select(V8l truth, V8d a, V8d b) { return (V8d)((truth & (V8l)a) | (~truth & (V8l)b)); }
+
+/* Bit i: is lane i true? And the reverse. */
+ALWAYS_INLINE unsigned v8l_mask(V8l truth) { return v8_mask(__builtin_convertvector(truth, V8c)); }
+ALWAYS_INLINE V8l v8l_truth(unsigned mask)
+{
+    V8l bit = { 1, 2, 4, 8, 16, 32, 64, 128 }, out;
+    for (int i = 0; i < 8; i++) out[i] = (long long)mask & bit[i] ? -1 : 0;
+    return out;
 }
 
 #endif

@@ -8,21 +8,6 @@
 
 typedef struct { V8d x, y, z; } Vec3x8;
 
-ALWAYS_INLINE V8d v8d_splat(double x) { return (V8d){ x, x, x, x, x, x, x, x }; }
-
-ALWAYS_INLINE V8d v8d_sqrt(V8d a)
-{
-    V8d out;
-    for (int i = 0; i < 8; i++) out[i] = sqrt(a[i]);
-    return out;
-}
-
-ALWAYS_INLINE V8d v8d_abs(V8d a) { return (V8d)((V8l)a & 0x7FFFFFFFFFFFFFFFll); }
-ALWAYS_INLINE V8d v8d_select(V8l which, V8d a, V8d b) { return (V8d)((which & (V8l)a) | (~which & (V8l)b)); }
-
-/* Bit i: is lane i of a comparison true? */
-ALWAYS_INLINE unsigned v8l_mask(V8l truth) { return v8_mask(__builtin_convertvector(truth, V8c)); }
-
 ALWAYS_INLINE Vec3x8 vec8_splat(Vec3 a) { return (Vec3x8){ v8d_splat(a.x), v8d_splat(a.y), v8d_splat(a.z) }; }
 ALWAYS_INLINE Vec3x8 vec8_add(Vec3x8 a, Vec3x8 b) { return (Vec3x8){ a.x + b.x, a.y + b.y, a.z + b.z }; }
 ALWAYS_INLINE Vec3x8 vec8_sub(Vec3x8 a, Vec3x8 b) { return (Vec3x8){ a.x - b.x, a.y - b.y, a.z - b.z }; }
@@ -53,7 +38,7 @@ ALWAYS_INLINE Vec3x8 vec8_normalize(Vec3x8 a)
 {
     V8d length2 = vec8_dot(a, a);
     Vec3x8 unit = vec8_scale(a, 1 / v8d_sqrt(length2));
-    if (__builtin_expect(v8l_mask((length2 > 0x1p-960) & (length2 < 0x1p960)) != 0xFF, 0))
+    if (__builtin_expect(v8l_mask(v8d_less(v8d_splat(0x1p-960), length2) & v8d_less(length2, v8d_splat(0x1p960))) != 0xFF, 0))
         for (int i = 0; i < 8; i++) vec8_set(&unit, i, vec_normalize(vec8_get(&a, i)));
     return unit;
 }

@@ -3,6 +3,7 @@
 
 void bunch_set_lanes(RayBunch *b)
 {
+    b->has_frames = false;
     for (int i = 0; i < BUNCH_WIDTH; i++) {
         const Ray *r = &b->ray[int_min(i, b->n - 1)];
         b->origin.x[i] = r->origin.x, b->origin.y[i] = r->origin.y, b->origin.z[i] = r->origin.z;

@@ -17,15 +17,24 @@ typedef struct {
     unsigned left_out;
 } BunchLane;
 
+/* Rays as planes: unit directions and two unit vectors perpendicular to each and to each other (nurbs/certify.h). */
+typedef struct {
+    Vec3x8 d, n1, n2;
+    V8d length;                  /* of the directions */
+    Lanes finite;                /* those that are rays */
+} BunchFrames;
+
 struct RayBunch {
     int n;                       /* rays, 1 to BUNCH_WIDTH; lanes from there on repeat the last */
     Ray ray[BUNCH_WIDTH];
     BunchLane *lane;             /* of these, in whichever space they are */
     Vec3x8 origin, dir;          /* the same as `ray` */
     V8d t_min;
+    bool has_frames;             /* made by the first who asks for them: */
+    BunchFrames frames;
 };
 
-/* Sets the lanes from ray[0 .. n). */
+/* Sets the lanes from ray[0 .. n), and that nothing is known of them yet. */
 void bunch_set_lanes(RayBunch *b);
 
 static inline Lanes bunch_all(const RayBunch *b) { return (1u << b->n) - 1; }

@@ -34,6 +34,7 @@ ALWAYS_INLINE V8d dot_point(const Vec3x8 *a, const float b[3])
 {
     return a->x * (double)b[0] + a->y * (double)b[1] + a->z * (double)b[2];
 }
+ALWAYS_INLINE V8d dot_vec(const Vec3x8 *a, Vec3 b) { return a->x * b.x + a->y * b.y + a->z * b.z; }
 ALWAYS_INLINE V8d clamp(V8d x, double lo, double hi) { return v8d_min(v8d_max(x, v8d_splat(lo)), v8d_splat(hi)); }
 ALWAYS_INLINE V8d above(V8d x, double least) { return v8d_max(x, v8d_splat(least)); }
 /* How far x is from [0, 1]. */
@@ -135,6 +136,47 @@ ALWAYS_INLINE V8l are_certified(Rays *k, V8d det)
     V8d along2 = above(area * area - det * det, 0), room = double_max(CONTRACTION - stretch, 0) * det;
     k->gain = M_SQRT2 * f->length_s * f->length_t / det, k->contraction = stretch + turn * v8d_sqrt(along2) / det;
     return v8d_less(along2 * (turn * turn), room * room);
+}
+
+/* ---- where the rays start ---- */
+
+/* Lanes that may be from a point on the tile, with its margin: sets s and t of the patch, NaN of the others. */
+ALWAYS_INLINE Lanes are_from(const Rays *k, const RayBunch *b, Lanes lanes, V8d *s, V8d *t)
+{
+    Lanes from = 0;
+    for (Lanes left = lanes; left; ) {
+        int i = lanes_next(&left);
+        if (b->lane[i].root.patch == k->p && b->lane[i].root.seed == b->lane[i].seed) from |= 1u << i;
+    }
+    if (!from) return 0;
+    double from_s[BUNCH_WIDTH], from_t[BUNCH_WIDTH];
+    for (int i = 0; i < BUNCH_WIDTH; i++) from_s[i] = from_t[i] = NAN;
+    for (Lanes left = from; left; ) {
+        int i = lanes_next(&left);
+        from_s[i] = b->lane[i].root.s, from_t[i] = b->lane[i].root.t;
+    }
+    *s = v8d_load_doubles(from_s), *t = v8d_load_doubles(from_t);
+    V8d x = (*s - k->part.at.s0) * k->part.per_s, y = (*t - k->part.at.t0) * k->part.per_t;
+    return from & ~v8l_mask(beyond_margin(x) | beyond_margin(y));
+}
+
+/* leaves_tile: s and t are where the rays are from. */
+ALWAYS_INLINE V8l leave_tile(const Rays *k, V8d s, V8d t)
+{
+    const Tile *f = k->tile;
+    Vec3 normal = vec_cross(tile_vec(f->half_s), tile_vec(f->half_t));
+    double area = (double)f->sine * f->length_s * f->length_t, room = CONTRACTION - f->stretch;
+    double turn2 = (double)f->turn * f->turn, steepest2 = turn2 / (turn2 + room * room);
+    V8d along = dot_vec(&k->f->d, normal), size = v8d_abs(k->o.x) + v8d_abs(k->o.y) + v8d_abs(k->o.z) + v8d_abs(k->t_min);
+    Vec4x8 x = bunch_evaluate(k->p, s, t).value;
+    V8d per_w = 1 / x.w;
+    const Vec3x8 *d = &k->f->d;
+    Vec3x8 start = { k->o.x - x.x * per_w + d->x * k->t_min, k->o.y - x.y * per_w + d->y * k->t_min,
+                     k->o.z - x.z * per_w + d->z * k->t_min };
+    V8d off = k->p->rounding + rounding_share(k->p) * (2 * k->p->radius + size), rise = dot_vec(&start, normal);
+    V8d sign = (V8d)(((V8l)along & INT64_MIN) ^ (V8l)rise);
+    return v8d_less(v8d_splat(steepest2 * area * area), along * along)
+        & v8d_less(area * (v8d_sqrt(steepest2 * dot(&start, &start)) + 2 * off), sign);
 }
 
 /* ---- Newton's method ---- */
@@ -270,7 +312,6 @@ ALWAYS_INLINE Lanes set_roots(const Rays *k, const Iteration *n, Roots *out)
 ALWAYS_INLINE Lanes solve(Rays *k, Lanes lanes, Roots *out, Lanes *undecided, Trace *trace)
 {
     k->rounding = k->p->rounding + rounding_share(k->p) * (k->p->radius + v8d_sqrt(dot(&k->o, &k->o)));
-    k->part = kernel_part(k->tile);
     set_least_step2(k);
     Iteration n = newton(k, lanes, trace);
     Lanes found = n.found, doubt = n.going | place_roots(k, &n, &found);
@@ -281,12 +322,24 @@ ALWAYS_INLINE Lanes solve(Rays *k, Lanes lanes, Roots *out, Lanes *undecided, Tr
     return found;
 }
 
+/* Newton's method begins there. */
+ALWAYS_INLINE void start_from(Rays *k, Lanes from, V8d s, V8d t)
+{
+    V8l is_from = v8l_truth(from);
+    k->s = v8d_select(is_from, (s - k->part.at.s0) * k->part.per_s, k->s);
+    k->t = v8d_select(is_from, (t - k->part.at.t0) * k->part.per_t, k->t);
+}
+
 EVERY_X86
 Lanes tile_roots_bunch(const Tile *tile, const PatchRays *rays, Lanes lanes, Roots *out, Lanes *undecided, Trace *trace)
 {
-    Rays k = { .tile = tile, .p = tile->patch, .f = &rays->b->frames };
+    Rays k = { .tile = tile, .p = tile->patch, .f = &rays->b->frames, .part = kernel_part(tile) };
+    V8d from_s = v8d_splat(NAN), from_t = from_s;
     see_frame(&k, rays);
     lanes &= ~v8l_mask(passes_ball(&k));
+    if (!lanes) return 0;
+    Lanes from = are_from(&k, rays->b, lanes, &from_s, &from_t);
+    if (from && tile->stretch < CONTRACTION) lanes &= ~(from & v8l_mask(leave_tile(&k, from_s, from_t)));
     if (!lanes) return 0;
     V8d det = v8d_abs(k.c_det);
     Lanes slanted = v8l_mask(v8d_less(v8d_splat(NO_ANGLE * tile->length_s * tile->length_t), det));
@@ -294,6 +347,7 @@ Lanes tile_roots_bunch(const Tile *tile, const PatchRays *rays, Lanes lanes, Roo
     if (!lanes) return 0;
     Lanes certified = lanes & slanted & v8l_mask(are_certified(&k, det));
     *undecided |= lanes & ~certified;
+    if (from & certified) start_from(&k, from, from_s, from_t);
     return certified ? solve(&k, certified, out, undecided, trace) : 0;
 }
 

@@ -40,7 +40,6 @@ ALWAYS_INLINE V8d above(V8d x, double least) { return v8d_max(x, v8d_splat(least
 /* How far x is from [0, 1]. */
 ALWAYS_INLINE V8d past(V8d x) { return above(v8d_max(-x, x - 1), 0); }
 ALWAYS_INLINE V8l beyond_margin(V8d x) { return v8d_less(x, v8d_splat(LO)) | v8d_less(v8d_splat(HI), x); }
-ALWAYS_INLINE bool is_any(V8l truth, Lanes lanes) { return v8l_mask(truth) & lanes; }
 
 /* ---- frames ---- */
 
@@ -144,11 +143,9 @@ ALWAYS_INLINE V8l are_certified(Rays *k, V8d det)
 ALWAYS_INLINE Lanes are_from(const Rays *k, const RayBunch *b, Lanes lanes, V8d *s, V8d *t)
 {
     Lanes from = 0;
-    for (Lanes left = lanes; left; ) {
-        int i = lanes_next(&left);
-        if (b->lane[i].root.patch == k->p && b->lane[i].root.seed == b->lane[i].seed) from |= 1u << i;
-    }
-    if (!from) return 0;
+    for (int i = 0; i < b->n; i++)
+        from |= (Lanes)((b->lane[i].root.patch == k->p) & (b->lane[i].root.seed == b->lane[i].seed)) << i;
+    if (!(from & lanes)) return 0;
     double from_s[BUNCH_WIDTH], from_t[BUNCH_WIDTH];
     for (int i = 0; i < BUNCH_WIDTH; i++) from_s[i] = from_t[i] = NAN;
     for (Lanes left = from; left; ) {
@@ -157,7 +154,7 @@ ALWAYS_INLINE Lanes are_from(const Rays *k, const RayBunch *b, Lanes lanes, V8d 
     }
     *s = v8d_load_doubles(from_s), *t = v8d_load_doubles(from_t);
     V8d x = (*s - k->part.at.s0) * k->part.per_s, y = (*t - k->part.at.t0) * k->part.per_t;
-    return from & ~v8l_mask(beyond_margin(x) | beyond_margin(y));
+    return from & lanes & ~v8l_mask(beyond_margin(x) | beyond_margin(y));
 }
 
 /* leaves_tile: s and t are where the rays are from. */
@@ -234,18 +231,19 @@ ALWAYS_INLINE V8l prove_miss_by_clamping(const Rays *k)
     return v8d_less(k->least_step2, g2) & v8d_less(least * least * length2_of(k, p_s, p_t), g2);
 }
 
+/* near and far are times w. */
 ALWAYS_INLINE V8l are_out_of_reach(const Rays *k, V8d ds, V8d dt)
 {
-    V8d depth = k->last.value.z / k->last.value.w, step2 = length2_of(k, ds, dt);
-    V8d gap = v8d_max(k->t_min - depth, depth - k->t_max) - k->rounding, near = (1 - k->contraction) * k->last.value.w * gap;
-    double span = BLURRED * 2 * k->tile->w_middle * (M_SQRT2 + k->tile->turn + k->tile->stretch);
-    V8d far = span * (1 + k->contraction);
+    const Tile *f = k->tile;
+    V8d z = k->last.value.z, w = k->last.value.w, q = k->contraction, step2 = length2_of(k, ds, dt);
+    V8d gap = v8d_max(k->t_min * w - z, z - k->t_max * w) - k->rounding * w, near = (1 - q) * gap;
+    V8d far = (1 + q) * (BLURRED * 2 * f->w_middle * (M_SQRT2 + f->turn + f->stretch));
     return v8d_less(v8d_splat(0), gap) & v8d_less(k->least_step2, step2) & v8d_less(far * far * step2, near * near);
 }
 
 /* The lanes that have not come to an end; those that have found a root; where their last step goes, and that step with bits
  * that s and t have no room for. */
-typedef struct { Lanes going, found; V8d s, t, ds, dt; } Iteration;
+typedef struct { V8l going, found; V8d s, t, ds, dt; } Iteration;
 
 /* One step of the lanes that go on. Those that have found a root stay where they were evaluated, and so does what is known
  * of them: it comes out the same each time. */
@@ -259,21 +257,20 @@ ALWAYS_INLINE void step(Rays *k, Iteration *n, bool is_first)
     V8l leaves = beyond_margin(k->s + ds) | beyond_margin(k->t + dt);
     n->s = s, n->t = t;
     n->ds = v8d_select(leaves, s - k->s, ds), n->dt = v8d_select(leaves, t - k->t, dt);
-    if (is_any(leaves, n->going)) n->going &= ~v8l_mask(leaves & (prove_miss(k, ds, dt) | prove_miss_by_clamping(k)));
-    if (!is_first) n->going &= ~v8l_mask(are_out_of_reach(k, ds, dt));
-    V8l is_last = v8d_less(v8d_max(v8d_abs(ds), v8d_abs(dt)), v8d_splat(LAST_STEP));
-    n->found |= n->going & v8l_mask(is_last);
+    if (v8l_mask(leaves & n->going)) n->going &= ~(leaves & (prove_miss(k, ds, dt) | prove_miss_by_clamping(k)));
+    if (!is_first) n->going &= ~are_out_of_reach(k, ds, dt);
+    n->found |= n->going & v8d_less(v8d_max(v8d_abs(ds), v8d_abs(dt)), v8d_splat(LAST_STEP));
     n->going &= ~n->found;
-    V8l goes = v8l_truth(n->going);
-    k->s = v8d_select(goes, s, k->s), k->t = v8d_select(goes, t, k->t);
+    k->s = v8d_select(n->going, s, k->s), k->t = v8d_select(n->going, t, k->t);
 }
 
 ALWAYS_INLINE Iteration newton(Rays *k, Lanes lanes, Trace *trace)
 {
-    Iteration n = { .going = lanes };
-    for (int i = 0; i < MAX_STEPS && n.going; i++) {
-        trace->counters.newton_iterations += (uint64_t)__builtin_popcount(n.going);
+    Iteration n = { .going = v8l_truth(lanes), .found = v8l_truth(0) };
+    for (int i = 0; i < MAX_STEPS && lanes; i++) {
+        trace->counters.newton_iterations += (uint64_t)__builtin_popcount(lanes);
         step(k, &n, i == 0);
+        lanes = v8l_mask(n.going);
     }
     return n;
 }
@@ -314,7 +311,7 @@ ALWAYS_INLINE Lanes solve(Rays *k, Lanes lanes, Roots *out, Lanes *undecided, Tr
     k->rounding = k->p->rounding + rounding_share(k->p) * (k->p->radius + v8d_sqrt(dot(&k->o, &k->o)));
     set_least_step2(k);
     Iteration n = newton(k, lanes, trace);
-    Lanes found = n.found, doubt = n.going | place_roots(k, &n, &found);
+    Lanes found = v8l_mask(n.found), doubt = v8l_mask(n.going) | place_roots(k, &n, &found);
     if (found) found &= set_roots(k, &n, out);
     *undecided |= doubt;
     uint64_t n_decided = (uint64_t)__builtin_popcount(lanes & ~doubt);

@@ -9,7 +9,7 @@ void bunch_set_lanes(RayBunch *b)
     b->origin = vec8_gather(ray, offsetof(Ray, origin));
     b->dir = vec8_gather(ray, offsetof(Ray, dir));
     b->t_min = v8d_gather(ray, offsetof(Ray, t_min));
-    b->has_slabs = false;
+    b->has_frames = b->has_slabs = false;
 }
 
 void bunch_set_rays(RayBunch *b)
@@ -20,7 +20,7 @@ void bunch_set_rays(RayBunch *b)
         r->dir.x = b->dir.x[i], r->dir.y = b->dir.y[i], r->dir.z = b->dir.z[i];
         r->t_min = b->t_min[i];
     }
-    b->has_slabs = false;
+    b->has_frames = b->has_slabs = false;
 }
 
 static Lanes hit_one_by_one(const Shape *s, RayBunch *b, Lanes lanes, Hit best[], Trace *t)

@@ -23,18 +23,27 @@ typedef struct {
     Lanes meeting;               /* rays that meet the bounds at all */
 } BunchSlabs;
 
+/* Rays as planes: unit directions and two unit vectors perpendicular to each and to each other (nurbs/certify.h). */
+typedef struct {
+    Vec3x8 d, n1, n2;
+    V8d length;                  /* of the directions */
+    Lanes finite;                /* those that are rays */
+} BunchFrames;
+
 struct RayBunch {
     int n;                       /* rays, 1 to BUNCH_WIDTH; lanes from there on repeat the last */
     Ray ray[BUNCH_WIDTH];
     BunchLane *lane;             /* of these, in whichever space they are */
     Vec3x8 origin, dir;          /* the same as `ray` */
     V8d t_min;
-    bool has_slabs;
-    Box slabs_bounds;
+    /* Made by the first who asks for them: */
+    bool has_frames, has_slabs;
+    BunchFrames frames;
     BunchSlabs slabs;
+    Box slabs_bounds;
 };
 
-/* Sets the lanes from ray[0 .. n), or these from the lanes, and forgets what was made of others. */
+/* Sets the lanes from ray[0 .. n), or these from the lanes, and that nothing is known of them yet. */
 void bunch_set_lanes(RayBunch *b);
 void bunch_set_rays(RayBunch *b);
 

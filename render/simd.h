@@ -128,9 +128,9 @@ ALWAYS_INLINE V8d v8d_select(V8l truth, V8d a, V8d b) { return (V8d)((truth & (V
 ALWAYS_INLINE unsigned v8l_mask(V8l truth) { return v8_mask(__builtin_convertvector(truth, V8c)); }
 ALWAYS_INLINE V8l v8l_truth(unsigned mask)
 {
-    V8l bit = { 1, 2, 4, 8, 16, 32, 64, 128 }, out;
-    for (int i = 0; i < 8; i++) out[i] = (long long)mask & bit[i] ? -1 : 0;
-    return out;
+    const V8l to_sign = { 63, 62, 61, 60, 59, 58, 57, 56 };
+    long long all = mask;
+    return (V8l){ all, all, all, all, all, all, all, all } << to_sign >> 63;
 }
 
 #endif

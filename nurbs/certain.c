@@ -69,30 +69,27 @@ static bool is_near_trim(const TrimTree *trims, const Tile *f, Vec3 d, const Roo
     return keeps_along(trims, vec2(u, v), vec2(along.x * w_u, along.y * w_v), vec2(du, dv), MAX_CUTS_ALONG);
 }
 
-bool certain_accepts(const TileTree *tree, uint32_t i, const Tile *part, Vec3 d, double length, const Root *root, Trace *t,
-                     CertainHit *out)
+bool certain_keeps(const TileTree *tree, uint32_t i, const Tile *part, Vec3 d, const Root *root, double u, double v, Trace *t)
 {
-    const Patch *p = part->patch;
+    const TrimCell *cell = part->patch->is_trimmed ? tree->cells[i] : NULL;
     t->counters.nurbs_hits++;
-    double u = patch_u(p, root->s), v = patch_v(p, root->t);
-    const TrimCell *cell = p->is_trimmed ? tree->cells[i] : NULL;
     if (cell) {
         t->counters.trim_tests++;
         if (!trim_cell_keeps(cell, u, v) && !is_near_trim(tree->trims, part, d, root, u, v)) return false;
     }
     t->counters.reported_hits++;
-    *out = (CertainHit){ .u = u, .v = v, .t = root->depth / length, .t_error = root->distance / length,
-                         .depth_error = root->depth_error / length, .tile = i, .part = part,
-                         .before = root->before, .after = root->after };
     return true;
 }
 
 static bool accept_root(void *context, const Tile *f, PatchRay *ray, const Root *root)
 {
     Search *k = context;
-    CertainHit hit;
-    if (!certain_accepts(k->tree, k->tile, f, ray->d, k->length, root, k->trace, &hit)) return false;
+    double u = patch_u(f->patch, root->s), v = patch_v(f->patch, root->t);
+    if (!certain_keeps(k->tree, k->tile, f, ray->d, root, u, v, k->trace)) return false;
     k->found = true;
+    CertainHit hit = { .u = u, .v = v, .t = root->depth / k->length, .t_error = root->distance / k->length,
+                       .depth_error = root->depth_error / k->length, .tile = k->tile, .part = f,
+                       .before = root->before, .after = root->after };
     return k->take(k, root, &hit);
 }
 

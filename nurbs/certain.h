@@ -4,7 +4,6 @@
 
 #include "nurbs/certify.h"
 #include "nurbs/tile_tree.h"
-#include "render/bunch.h"
 
 typedef struct {
     double u, v;                     /* parameters of the surface */
@@ -23,18 +22,8 @@ bool certain_nearest(const TileTree *tree, const Ray *r, double t_max, Trace *t,
 bool certain_nearest_on(const Tile *tile, uint32_t i, const Ray *r, double t_max, Trace *t, CertainHit *out);
 bool certain_any_on(const Tile *tile, uint32_t i, const Ray *r, double t_max, Trace *t);
 
-/* A root of a ray, on a part of tile i, in units of its direction's length (d being the unit one): false, a trim cuts it
- * away. Counts into t. */
-bool certain_accepts(const TileTree *tree, uint32_t i, const Tile *part, Vec3 d, double length, const Root *root, Trace *t,
-                     CertainHit *out);
-
-/* The same for rays of a bunch: which of them are hit, or blocked (certain_bunch.c). t_max has room for BUNCH_WIDTH, those of
- * other rays being any numbers; out[i] is ray i's. */
-Lanes certain_nearest_bunch(const TileTree *tree, RayBunch *b, Lanes lanes, const double t_max[], Trace *t, CertainHit out[]);
-Lanes certain_any_bunch(const TileTree *tree, RayBunch *b, Lanes lanes, const double t_max[], Trace *t);
-Lanes certain_nearest_on_bunch(const Tile *tile, uint32_t i, RayBunch *b, Lanes lanes, const double t_max[], Trace *t,
-                               CertainHit out[]);
-Lanes certain_any_on_bunch(const Tile *tile, uint32_t i, RayBunch *b, Lanes lanes, const double t_max[], Trace *t);
+/* Do the trims keep a root of a ray in the unit direction d, at (u, v) of a part of tile i? Counts into t. */
+bool certain_keeps(const TileTree *tree, uint32_t i, const Tile *part, Vec3 d, const Root *root, double u, double v, Trace *t);
 
 /* Is there any hit in (r->t_min, t_max)? */
 bool certain_any(const TileTree *tree, const Ray *r, double t_max, Trace *t);

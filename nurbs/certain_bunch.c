@@ -1,8 +1,8 @@
-/* The search of `method certain` for the rays of a bunch: eight at a tile, and then at its halves, those that it leaves in
- * doubt; alone, where they are few or that leads nowhere. */
-#include "nurbs/certain.h"
+/* Eight rays at a tile, and then at its halves, those that it leaves in doubt; alone, where they are few or that leads
+ * nowhere. */
+#include "nurbs/certain_bunch.h"
 
-#include "nurbs/certify_bunch.h"
+#include "nurbs/certain.h"
 
 /* So many lanes are better served one by one: eight cost about as much as that many. */
 enum { FEW_LANES = 2 };
@@ -13,60 +13,107 @@ enum { MAX_LEVEL = 4 };
 typedef struct {
     RayBunch *b;
     uint32_t tile;               /* of its tree's */
-    double t_max[BUNCH_WIDTH];   /* lowered by hits */
+    BunchLimits limits;
     Trace *trace;
-    CertainHit *nearest;         /* of each lane; NULL: any hit will do, and ends the lane's search */
+    CertainHits *nearest;        /* NULL: any hit will do, and ends the lane's search */
     Lanes hit;
 } Search;
 
 typedef struct { const Tile *part; Lanes lanes; int level; } Doubt;
 
-static bool are_few(Lanes lanes) { return __builtin_popcount(lanes) <= FEW_LANES; }
+ALWAYS_INLINE bool are_few(Lanes lanes) { return __builtin_popcount(lanes) <= FEW_LANES; }
 
-static void take(Search *k, int i, const CertainHit *hit)
-{
-    k->hit |= 1u << i;
-    if (k->nearest) k->nearest[i] = *hit, k->t_max[i] = hit->t;
-}
-
-static void take_root(Search *k, const Tile *part, const Roots *roots, int i)
-{
-    const BunchFrames *f = &k->b->frames;
-    Root root = roots_get(roots, i);
-    CertainHit hit;
-    if (!certain_accepts(tile_tree_of(part), k->tile, part, vec(f->d.x[i], f->d.y[i], f->d.z[i]), f->length[i], &root, k->trace,
-                         &hit)) return;
-    take(k, i, &hit);
-    if (k->nearest) k->b->lane[i].root = (RayRoot){ part->patch, root.s, root.t, k->b->lane[i].seed };
-}
+/* ---- one by one ---- */
 
 static void go_alone(Search *k, const Tile *part, int i)
 {
     const Ray *r = &k->b->ray[i];
+    double *limit = bunch_limit(k->limits, i);
     CertainHit hit;
     bunch_begin(k->b, i, k->trace);
-    bool is_hit = k->nearest ? certain_nearest_on(part, k->tile, r, k->t_max[i], k->trace, &hit)
-                             : certain_any_on(part, k->tile, r, k->t_max[i], k->trace);
+    bool is_hit = k->nearest ? certain_nearest_on(part, k->tile, r, *limit, k->trace, &hit)
+                             : certain_any_on(part, k->tile, r, *limit, k->trace);
     bunch_end(k->b, i, k->trace);
-    if (is_hit) take(k, i, &hit);
+    if (!is_hit) return;
+    k->hit |= 1u << i;
+    if (!k->nearest) return;
+    *limit = k->nearest->t[i] = hit.t, k->nearest->t_error[i] = hit.t_error, k->nearest->tile[i] = k->tile;
+    k->nearest->u[i] = hit.u, k->nearest->v[i] = hit.v;
+}
+
+/* ---- together ---- */
+
+/* Roots as hits. */
+typedef struct { V8d t, t_error, u, v; } Found;
+
+/* patch_u, patch_v. */
+ALWAYS_INLINE V8d parameter(V8d s, double u0, double u1)
+{
+    return v8d_select(v8d_less(s, v8d_splat(1)), u0 + s * (u1 - u0), v8d_splat(u1));
+}
+
+ALWAYS_INLINE void find(const Search *k, const Patch *p, const Roots *roots, Found *out)
+{
+    V8d length = k->b->frames.length;
+    out->t = roots->depth / length, out->t_error = roots->distance / length;
+    out->u = parameter(roots->s, p->u0, p->u1), out->v = parameter(roots->t, p->v0, p->v1);
+}
+
+static Lanes keep_roots(const Search *k, const Tile *part, const Roots *roots, const Found *found, Lanes rooted)
+{
+    const BunchFrames *f = &k->b->frames;
+    Lanes kept = 0;
+    for (Lanes left = rooted; left; ) {
+        int i = lanes_next(&left);
+        Root root = roots_get(roots, i);
+        Vec3 d = vec(f->d.x[i], f->d.y[i], f->d.z[i]);
+        if (certain_keeps(tile_tree_of(part), k->tile, part, d, &root, found->u[i], found->v[i], k->trace)) kept |= 1u << i;
+    }
+    return kept;
+}
+
+static void take_nearest(Search *k, const Tile *part, const Roots *roots, const Found *found, Lanes kept)
+{
+    CertainHits *out = k->nearest;
+    while (kept) {
+        int i = lanes_next(&kept);
+        BunchLane *lane = &k->b->lane[i];
+        *bunch_limit(k->limits, i) = out->t[i] = found->t[i], out->t_error[i] = found->t_error[i], out->tile[i] = k->tile;
+        out->u[i] = found->u[i], out->v[i] = found->v[i];
+        lane->root = (RayRoot){ part->patch, roots->s[i], roots->t[i], lane->seed };
+    }
+}
+
+ALWAYS_INLINE void take_roots(Search *k, const Tile *part, const Roots *roots, Lanes rooted)
+{
+    Found found;
+    find(k, part->patch, roots, &found);
+    if (part->patch->is_trimmed) {
+        rooted = keep_roots(k, part, roots, &found, rooted);
+    } else {
+        uint64_t n = (uint64_t)__builtin_popcount(rooted);
+        k->trace->counters.nurbs_hits += n, k->trace->counters.reported_hits += n;
+    }
+    k->hit |= rooted;
+    if (k->nearest) take_nearest(k, part, roots, &found, rooted);
 }
 
 /* The lanes that a tile or a part of it leaves in doubt. */
-static Lanes solve_part(Search *k, const Tile *part, Lanes lanes)
+ALWAYS_INLINE Lanes solve_part(Search *k, const Tile *part, Lanes lanes)
 {
-    PatchRays rays = { .b = k->b, .base = part->patch->base, .t_max = v8d_load_doubles(k->t_max) };
     Roots roots;
-    Lanes undecided = 0, rooted = tile_roots_bunch(part, &rays, lanes, &roots, &undecided, k->trace);
-    while (rooted) take_root(k, part, &roots, lanes_next(&rooted));
+    Lanes undecided = 0, rooted = tile_roots_bunch(part, k->b, lanes, k->limits, &roots, &undecided, k->trace);
+    if (rooted) take_roots(k, part, &roots, rooted);
     return undecided;
 }
 
 /* A side that is one point has proofs of its own for single rays. */
-static const Tile *halves_for(const Doubt *d, Lanes lanes)
+ALWAYS_INLINE const Tile *halves_for(const Doubt *d, Lanes lanes)
 {
     return d->level == MAX_LEVEL || are_few(lanes) || d->part->patch->collapsed ? NULL : tile_halves(d->part);
 }
 
+EVERY_X86
 static void search_parts(Search *k, const Tile *tile, Lanes lanes)
 {
     Doubt stack[MAX_LEVEL + 1] = { { tile, lanes, 0 } };
@@ -74,7 +121,7 @@ static void search_parts(Search *k, const Tile *tile, Lanes lanes)
         Doubt d = stack[--top];
         if (!k->nearest) d.lanes &= ~k->hit;
         Lanes left = are_few(d.lanes) ? d.lanes : solve_part(k, d.part, d.lanes);
-        const Tile *halves = halves_for(&d, left);
+        const Tile *halves = left ? halves_for(&d, left) : NULL;
         for (int i = 0; i < 2 && halves; i++) stack[top++] = (Doubt){ &halves[i], left, d.level + 1 };
         while (left && !halves) go_alone(k, d.part, lanes_next(&left));
     }
@@ -83,30 +130,23 @@ static void search_parts(Search *k, const Tile *tile, Lanes lanes)
 /* Each lane counts once. */
 static Lanes search_tile(Search *k, const Tile *tile, Lanes lanes)
 {
-    Trace *t = k->trace;
-    uint64_t n_tests = t->counters.leaf_tests + (uint64_t)__builtin_popcount(lanes);
+    Counters *count = &k->trace->counters;
+    uint64_t n_tests = count->leaf_tests + (uint64_t)__builtin_popcount(lanes);
+    double begin = k->trace->measures_time ? stats_now() : 0, counted = count->nurbs_seconds;
     bunch_use_frames(k->b);
     search_parts(k, tile, lanes & k->b->frames.finite);
-    t->counters.leaf_tests = n_tests;
+    count->leaf_tests = n_tests;
+    if (k->trace->measures_time) count->nurbs_seconds = counted + stats_now() - begin;
     return k->hit;
 }
 
-static void set_limits(Search *k, const double t_max[])
+Lanes certain_nearest_on_bunch(const Tile *tile, uint32_t i, RayBunch *b, Lanes lanes, BunchLimits limits, Trace *t,
+                               CertainHits *out)
 {
-    for (int i = 0; i < BUNCH_WIDTH; i++) k->t_max[i] = t_max[i];
-}
-
-Lanes certain_nearest_on_bunch(const Tile *tile, uint32_t i, RayBunch *b, Lanes lanes, const double t_max[], Trace *t,
-                               CertainHit out[])
-{
-    Search k = { .b = b, .tile = i, .trace = t, .nearest = out };
-    set_limits(&k, t_max);
-    return search_tile(&k, tile, lanes);
+    return search_tile(&(Search){ .b = b, .tile = i, .limits = limits, .trace = t, .nearest = out }, tile, lanes);
 }
 
 Lanes certain_any_on_bunch(const Tile *tile, uint32_t i, RayBunch *b, Lanes lanes, const double t_max[], Trace *t)
 {
-    Search k = { .b = b, .tile = i, .trace = t };
-    set_limits(&k, t_max);
-    return search_tile(&k, tile, lanes);
+    return search_tile(&(Search){ .b = b, .tile = i, .limits = { (double *)t_max, 1 }, .trace = t }, tile, lanes);
 }

@@ -89,16 +89,22 @@ void bunch_use_frames(RayBunch *b)
 
 /* ---- at sight ---- */
 
+ALWAYS_INLINE V8d limits_of(BunchLimits l)
+{
+    const double *at = l.at;
+    size_t n = l.step;
+    return (V8d){ at[0], at[n], at[2 * n], at[3 * n], at[4 * n], at[5 * n], at[6 * n], at[7 * n] };
+}
+
 /* Lanes that pass by the tile's ball, or whose root, if they have one, is not on the tile: frame_test's two. Sets what the
  * certificate needs. */
-ALWAYS_INLINE void see_frame(Rays *k, const PatchRays *rays)
+ALWAYS_INLINE void see_frame(Rays *k, const RayBunch *b, BunchLimits limits)
 {
     const Tile *tile = k->tile;
-    const RayBunch *b = rays->b;
     const BunchFrames *f = k->f;
-    k->o = (Vec3x8){ b->origin.x - rays->base.x - k->p->origin.x, b->origin.y - rays->base.y - k->p->origin.y,
-                     b->origin.z - rays->base.z - k->p->origin.z };
-    k->t_min = b->t_min * f->length, k->t_max = rays->t_max * f->length;
+    Vec3 base = k->p->base, origin = k->p->origin;
+    k->o = (Vec3x8){ b->origin.x - base.x - origin.x, b->origin.y - base.y - origin.y, b->origin.z - base.z - origin.z };
+    k->t_min = b->t_min * f->length, k->t_max = limits_of(limits) * f->length;
     k->c11 = dot_point(&f->n1, tile->half_s), k->c12 = dot_point(&f->n1, tile->half_t);
     k->c21 = dot_point(&f->n2, tile->half_s), k->c22 = dot_point(&f->n2, tile->half_t);
     k->c_det = k->c11 * k->c22 - k->c12 * k->c21;
@@ -328,14 +334,15 @@ ALWAYS_INLINE void start_from(Rays *k, Lanes from, V8d s, V8d t)
 }
 
 EVERY_X86
-Lanes tile_roots_bunch(const Tile *tile, const PatchRays *rays, Lanes lanes, Roots *out, Lanes *undecided, Trace *trace)
+Lanes tile_roots_bunch(const Tile *tile, const RayBunch *b, Lanes lanes, BunchLimits limits, Roots *out, Lanes *undecided,
+                       Trace *trace)
 {
-    Rays k = { .tile = tile, .p = tile->patch, .f = &rays->b->frames, .part = kernel_part(tile) };
+    Rays k = { .tile = tile, .p = tile->patch, .f = &b->frames, .part = kernel_part(tile) };
     V8d from_s = v8d_splat(NAN), from_t = from_s;
-    see_frame(&k, rays);
+    see_frame(&k, b, limits);
     lanes &= ~v8l_mask(passes_ball(&k));
     if (!lanes) return 0;
-    Lanes from = are_from(&k, rays->b, lanes, &from_s, &from_t);
+    Lanes from = are_from(&k, b, lanes, &from_s, &from_t);
     if (from && tile->stretch < CONTRACTION) lanes &= ~(from & v8l_mask(leave_tile(&k, from_s, from_t)));
     if (!lanes) return 0;
     V8d det = v8d_abs(k.c_det);

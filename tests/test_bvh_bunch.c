@@ -158,8 +158,8 @@ static void the_nearest_boxes_are_those_of_the_rays_alone(void **state)
             }
             bvh_traverse_bunch(s.tree, &q.b, q.lanes, q.t_max, meet, &s, &together);
             for (int i = 0; i < q.b.n; i++)
-                CHECK(q.t_max[i] == expected[i] || !vec_is_finite(q.b.ray[i].dir), "seed %u, bunch %d, ray %d: %.17g, not %.17g", seed,
-                      k, i, q.t_max[i], expected[i]);
+                CHECK(q.t_max[i] == expected[i] || !vec_is_finite(q.b.ray[i].dir), "seed %u, bunch %d, ray %d: %.17g, not "
+                      "%.17g", seed, k, i, q.t_max[i], expected[i]);
         }
         free_scene(&s);
     }

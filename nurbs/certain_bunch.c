@@ -4,9 +4,6 @@
 
 #include "nurbs/certain.h"
 
-/* So many lanes are better served one by one: eight cost about as much as that many. */
-enum { FEW_LANES = 2 };
-
 /* A tile is halved so often for lanes in doubt before they go on alone. */
 enum { MAX_LEVEL = 4 };
 
@@ -20,8 +17,6 @@ typedef struct {
 } Search;
 
 typedef struct { const Tile *part; Lanes lanes; int level; } Doubt;
-
-ALWAYS_INLINE bool are_few(Lanes lanes) { return __builtin_popcount(lanes) <= FEW_LANES; }
 
 /* ---- one by one ---- */
 
@@ -110,7 +105,7 @@ ALWAYS_INLINE Lanes solve_part(Search *k, const Tile *part, Lanes lanes)
 /* A side that is one point has proofs of its own for single rays. */
 ALWAYS_INLINE const Tile *halves_for(const Doubt *d, Lanes lanes)
 {
-    return d->level == MAX_LEVEL || are_few(lanes) || d->part->patch->collapsed ? NULL : tile_halves(d->part);
+    return d->level == MAX_LEVEL || lanes_are_few(lanes) || d->part->patch->collapsed ? NULL : tile_halves(d->part);
 }
 
 EVERY_X86
@@ -120,7 +115,7 @@ static void search_parts(Search *k, const Tile *tile, Lanes lanes)
     for (int top = 1; top > 0; ) {
         Doubt d = stack[--top];
         if (!k->nearest) d.lanes &= ~k->hit;
-        Lanes left = are_few(d.lanes) ? d.lanes : solve_part(k, d.part, d.lanes);
+        Lanes left = lanes_are_few(d.lanes) ? d.lanes : solve_part(k, d.part, d.lanes);
         const Tile *halves = left ? halves_for(&d, left) : NULL;
         for (int i = 0; i < 2 && halves; i++) stack[top++] = (Doubt){ &halves[i], left, d.level + 1 };
         while (left && !halves) go_alone(k, d.part, lanes_next(&left));

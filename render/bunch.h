@@ -49,6 +49,10 @@ void bunch_set_rays(RayBunch *b);
 
 static inline Lanes bunch_all(const RayBunch *b) { return (1u << b->n) - 1; }
 
+/* So many are better served one by one: eight at once cost about as much. */
+enum { FEW_LANES = 2 };
+static inline bool lanes_are_few(Lanes lanes) { return __builtin_popcount(lanes) <= FEW_LANES; }
+
 /* The number of the first lane; removes it. */
 static inline int lanes_next(Lanes *lanes)
 {

@@ -34,10 +34,9 @@ static Read read_gallery(const char *scene)
 static void check_hit(Check *k, const Ray *r, const Hit *a, const Hit *b)
 {
     double apart = fabs(a->t - b->t), allowed = 4 * (a->t_error + b->t_error + 0x1p-50 * (fabs(a->t) + 1));
-    if (apart <= allowed && a->shape == b->shape && a->n_objects == b->n_objects) return;
-    k->n_borders++;
-    CHECK(apart <= 0x1p20 * allowed, "%s: alone %.17g, in a bunch %.17g, along %.17g %.17g %.17g", k->name, a->t, b->t,
-          r->dir.x, r->dir.y, r->dir.z);
+    CHECK(apart <= allowed, "%s: alone %.17g, in a bunch %.17g, along %.17g %.17g %.17g", k->name, a->t, b->t, r->dir.x,
+          r->dir.y, r->dir.z);
+    k->n_borders += a->shape != b->shape || a->n_objects != b->n_objects;
 }
 
 static void check_shadows(Check *k, const RayBunch *seen, const Hit hits[], Lanes hit)

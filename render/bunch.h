@@ -10,6 +10,13 @@
 /* Eight vectors, component by component. */
 typedef struct { V8d x, y, z; } Vec3x8;
 
+/* As vec_dot and vec_max_abs. */
+ALWAYS_INLINE V8d lanes_dot(const Vec3x8 *a, const Vec3x8 *b) { return a->x * b->x + a->y * b->y + a->z * b->z; }
+ALWAYS_INLINE V8d lanes_max_abs(const Vec3x8 *a)
+{
+    return v8d_max(v8d_abs(a->x), v8d_max(v8d_abs(a->y), v8d_max(v8d_abs(a->z), v8d_splat(0))));
+}
+
 /* What Trace has of one ray alone: a ray that is traced by itself finds it there (bunch_begin) and leaves it (bunch_end). */
 typedef struct {
     uint64_t seed;

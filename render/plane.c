@@ -39,7 +39,7 @@ static bool plane_blocks(const Shape *shape, const Ray *r, double t_max, Trace *
 /* ---- bunches: the same operations, to the last bit ---- */
 
 ALWAYS_INLINE V8d dots(Vec3 n, const Vec3x8 *v) { return n.x * v->x + n.y * v->y + n.z * v->z; }
-ALWAYS_INLINE V8d lengths(const Vec3x8 *v) { return v8d_sqrt(v->x * v->x + v->y * v->y + v->z * v->z); }
+ALWAYS_INLINE V8d lengths(const Vec3x8 *v) { return v8d_sqrt(lanes_dot(v, v)); }
 
 ALWAYS_INLINE V8d where_met(const Plane *p, const RayBunch *b)
 {

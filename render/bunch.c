@@ -9,7 +9,7 @@ void bunch_set_lanes(RayBunch *b)
         b->dir.x[i] = r->dir.x, b->dir.y[i] = r->dir.y, b->dir.z[i] = r->dir.z;
         b->t_min[i] = r->t_min;
     }
-    b->has_slabs = false;
+    bunch_forget(b);
 }
 
 static Lanes hit_one_by_one(const Shape *s, RayBunch *b, Lanes lanes, Hit best[], Trace *t)

@@ -1,6 +1,6 @@
-/* Neighbouring rays, traced together: eight lanes of vectors, and what they meet is read once for all of them. Rays that part
- * from the others go on alone: whoever has no use for a bunch takes its rays one by one, and a shape that knows nothing of
- * bunches is asked so (shape_hit_bunch). */
+/* Neighbouring rays, traced together: eight lanes of vectors, and what they meet is read once for all of them. Rays that
+ * part from the others go on alone: whoever has no use for a bunch takes its rays one by one, and a shape that knows nothing
+ * of bunches is asked so (shape_hit_bunch). */
 #ifndef TRIMRAY_BUNCH_H
 #define TRIMRAY_BUNCH_H
 
@@ -43,6 +43,9 @@ struct RayBunch {
     Box slabs_bounds;
     BunchSlabs slabs;
 };
+
+/* Nothing that is made of the rays on first use is known yet. */
+static inline void bunch_forget(RayBunch *b) { b->has_slabs = false; }
 
 /* Sets the lanes from ray[0 .. n), and forgets what was made of others. */
 void bunch_set_lanes(RayBunch *b);

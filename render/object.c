@@ -127,7 +127,8 @@ ALWAYS_INLINE void vectors_within(const Affine *a, const Vec3x8 *v, Vec3x8 *out)
 EVERY_X86
 static void rays_within(const Affine *a, const RayBunch *b, RayBunch *out)
 {
-    out->n = b->n, out->lane = b->lane, out->t_min = b->t_min, out->has_slabs = false;
+    out->n = b->n, out->lane = b->lane, out->t_min = b->t_min;
+    bunch_forget(out);
     vectors_within(a, &b->origin, &out->origin);
     out->origin.x += a->m[3][0], out->origin.y += a->m[3][1], out->origin.z += a->m[3][2];
     vectors_within(a, &b->dir, &out->dir);

@@ -32,7 +32,8 @@ ALWAYS_INLINE bool find_way(const Pencil *p, const Ray *r, double t_max, Vec3 *w
 /* Lights and trees seldom differ in less than two coordinates and an address. */
 static uint64_t hash_of(const WideBvh *tree, Vec3 apex)
 {
-    return ((uintptr_t)tree >> 6 ^ hash_bits(apex.x) ^ hash_bits(apex.y) << 1 ^ hash_bits(apex.z) << 2) * 0x9E3779B97F4A7C15u;
+    uint64_t bits = hash_bits(apex.x) ^ hash_bits(apex.y) << 1 ^ hash_bits(apex.z) << 2;
+    return ((uintptr_t)tree >> 6 ^ bits) * 0x9E3779B97F4A7C15u;
 }
 
 ALWAYS_INLINE PencilSlot *use_slot(const WideBvh *tree, Trace *t)
@@ -136,8 +137,8 @@ ALWAYS_INLINE int enter_face(PencilSlot *slot, int face, Lanes lanes, V8d w, V8d
     while (lanes) {
         int i = __builtin_ctz(lanes);
         const WideNode *entry = entry_at(slot, face, place_x[i], place_y[i]);
-        long long mask = (long long)(slot->mask & 0xFFFFFFFFu), first = places[i] & mask;   /* of the cell, within the face */
-        Lanes together = lanes & v8l_mask(v8l_equals(places & mask, first));
+        long long mask = (long long)(slot->mask & 0xFFFFFFFFu);      /* of the cell, within the face */
+        Lanes together = lanes & v8l_mask(v8l_equals(places & mask, places[i] & mask));
         n = add_entry(out, n, entry, together);
         lanes &= ~together;
     }

@@ -95,7 +95,8 @@ static void plane_write(const Shape *shape, Sdl *out)
 
 static const ShapeType plane_type = {
     .name = "plane", .bounds = plane_bounds, .hit = plane_hit, .blocks = plane_blocks,
-    .hit_bunch = plane_hit_bunch, .blocks_bunch = plane_blocks_bunch, .inside = plane_inside, .attributes = plane_attributes, .write = plane_write,
+    .hit_bunch = plane_hit_bunch, .blocks_bunch = plane_blocks_bunch, .inside = plane_inside,
+    .attributes = plane_attributes, .write = plane_write,
 };
 
 Shape *plane_new(Arena *a, Vec3 normal, double distance)

@@ -92,27 +92,11 @@ ALWAYS_INLINE V8l v8d_less(V8d a, V8d b)
     return out;
 }
 
-ALWAYS_INLINE V8l v8d_differs(V8d a, V8d b)
-{
-    V8l out;
-    for (int i = 0; i < 8; i++) out[i] = a[i] != b[i] ? -1 : 0;
-    return out;
-}
+ALWAYS_INLINE V8d v8d_select(V8l truth, V8d a, V8d b) { return (V8d)((truth & (V8l)a) | (~truth & (V8l)b)); }
 
 /* If one is NaN, the result is b, as double_min and double_max have it. */
-ALWAYS_INLINE V8d v8d_min(V8d a, V8d b)
-{
-    V8d out;
-    for (int i = 0; i < 8; i++) out[i] = a[i] < b[i] ? a[i] : b[i];
-    return out;
-}
-
-ALWAYS_INLINE V8d v8d_max(V8d a, V8d b)
-{
-    V8d out;
-    for (int i = 0; i < 8; i++) out[i] = a[i] > b[i] ? a[i] : b[i];
-    return out;
-}
+ALWAYS_INLINE V8d v8d_min(V8d a, V8d b) { return v8d_select(a < b, a, b); }
+ALWAYS_INLINE V8d v8d_max(V8d a, V8d b) { return v8d_select(a > b, a, b); }
 
 ALWAYS_INLINE V8d v8d_sqrt(V8d a)
 {
@@ -122,7 +106,6 @@ ALWAYS_INLINE V8d v8d_sqrt(V8d a)
 }
 
 ALWAYS_INLINE V8d v8d_abs(V8d a) { return (V8d)((V8l)a & INT64_MAX); }
-ALWAYS_INLINE V8d v8d_select(V8l truth, V8d a, V8d b) { return (V8d)((truth & (V8l)a) | (~truth & (V8l)b)); }
 
 /* Bit i: is lane i true? And the reverse. */
 ALWAYS_INLINE unsigned v8l_mask(V8l truth) { return v8_mask(__builtin_convertvector(truth, V8c)); }
@@ -131,6 +114,27 @@ ALWAYS_INLINE V8l v8l_truth(unsigned mask)
     const V8l to_sign = { 63, 62, 61, 60, 59, 58, 57, 56 };
     long long all = mask;
     return (V8l){ all, all, all, all, all, all, all, all } << to_sign >> 63;
+}
+
+ALWAYS_INLINE V8l v8d_at_most(V8d a, V8d b)
+{
+    V8l out;
+    for (int i = 0; i < 8; i++) out[i] = a[i] <= b[i] ? -1 : 0;
+    return out;
+}
+
+ALWAYS_INLINE V8l v8d_differs(V8d a, V8d b)
+{
+    V8l out;
+    for (int i = 0; i < 8; i++) out[i] = a[i] != b[i] ? -1 : 0;
+    return out;
+}
+
+ALWAYS_INLINE V8l v8l_equals(V8l a, long long b)
+{
+    V8l out;
+    for (int i = 0; i < 8; i++) out[i] = a[i] == b ? -1 : 0;
+    return out;
 }
 
 #endif

@@ -321,7 +321,7 @@ ALWAYS_INLINE Lanes set_roots(const Rays *k, const Iteration *n, Roots *out)
     TilePlace in = k->part.at;
     out->s = in.s0 + clamp(n->s, 0, 1) * in.ds, out->t = in.t0 + clamp(n->t, 0, 1) * in.dt;
     out->depth = depth, out->distance = 2 * k->rounding;
-    if (k->p->is_trimmed) out->depth_error = k->rounding * error_of_depth(k, depth);
+    out->depth_error = k->rounding * error_of_depth(k, depth);
     return v8l_mask(v8d_less(k->t_min, depth) & v8d_less(depth, k->t_max));
 }
 

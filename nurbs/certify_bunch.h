@@ -12,7 +12,7 @@ typedef struct { double *at; size_t step; } BunchLimits;
 
 static inline double *bunch_limit(BunchLimits limits, int i) { return limits.at + (size_t)i * limits.step; }
 
-/* Roots, as Root has them; `beside` is half the distance. depth_error is there where trims may ask for it alone. */
+/* Roots, as Root has them; `beside` is half the distance. */
 typedef struct { V8d s, t, depth, depth_error, distance; } Roots;
 
 /* Makes the frames, unless they are there. */

@@ -98,16 +98,12 @@ ALWAYS_INLINE V8d limits_of(BunchLimits l)
 
 /* Lanes that pass by the tile's ball, or whose root, if they have one, is not on the tile: frame_test's two. Sets what the
  * certificate needs. */
-ALWAYS_INLINE void see_frame(Rays *k, const RayBunch *b, BunchLimits limits)
+ALWAYS_INLINE void set_up(Rays *k, const RayBunch *b, BunchLimits limits)
 {
-    const Tile *tile = k->tile;
     const BunchFrames *f = k->f;
     Vec3 base = k->p->base, origin = k->p->origin;
     k->o = (Vec3x8){ b->origin.x - base.x - origin.x, b->origin.y - base.y - origin.y, b->origin.z - base.z - origin.z };
     k->t_min = b->t_min * f->length, k->t_max = limits_of(limits) * f->length;
-    k->c11 = dot_point(&f->n1, tile->half_s), k->c12 = dot_point(&f->n1, tile->half_t);
-    k->c21 = dot_point(&f->n2, tile->half_s), k->c22 = dot_point(&f->n2, tile->half_t);
-    k->c_det = k->c11 * k->c22 - k->c12 * k->c21;
 }
 
 ALWAYS_INLINE V8l passes_ball(Rays *k)
@@ -122,10 +118,19 @@ ALWAYS_INLINE V8l passes_ball(Rays *k)
         | v8d_less(depth + reach, k->t_min);
 }
 
-/* Sets s and t to the parallelogram's root. */
-ALWAYS_INLINE V8l passes_parallelogram(Rays *k, V8d det)
+/* The half-vectors as the rays see them. */
+ALWAYS_INLINE void see_frame(Rays *k)
 {
-    V8d slack = (double)k->tile->deviation + k->rounding, slack2 = slack * slack, scale = 0.5 / k->c_det;
+    const Tile *f = k->tile;
+    k->c11 = dot_point(&k->f->n1, f->half_s), k->c12 = dot_point(&k->f->n1, f->half_t);
+    k->c21 = dot_point(&k->f->n2, f->half_s), k->c22 = dot_point(&k->f->n2, f->half_t);
+    k->c_det = k->c11 * k->c22 - k->c12 * k->c21;
+}
+
+/* Sets s and t to the parallelogram's root. per_det: over c_det. */
+ALWAYS_INLINE V8l passes_parallelogram(Rays *k, V8d det, V8d per_det)
+{
+    V8d slack = (double)k->tile->deviation + k->rounding, slack2 = slack * slack, scale = 0.5 * per_det;
     V8d x = k->q1 * k->c22 - k->q2 * k->c12, y = k->q2 * k->c11 - k->q1 * k->c21;   /* times det */
     V8d column_s2 = k->c11 * k->c11 + k->c21 * k->c21, column_t2 = k->c12 * k->c12 + k->c22 * k->c22;
     V8d past_x = above(v8d_abs(x) - det, 0), past_y = above(v8d_abs(y) - det, 0);
@@ -134,12 +139,13 @@ ALWAYS_INLINE V8l passes_parallelogram(Rays *k, V8d det)
 }
 
 /* Lanes of one root at most. */
-ALWAYS_INLINE V8l are_certified(Rays *k, V8d det)
+ALWAYS_INLINE V8l are_certified(Rays *k, V8d det, V8d per_det)
 {
     const Tile *f = k->tile;
     double area = (double)f->sine * f->length_s * f->length_t, turn = f->turn, stretch = f->stretch;
     V8d along2 = above(area * area - det * det, 0), room = double_max(CONTRACTION - stretch, 0) * det;
-    k->gain = M_SQRT2 * f->length_s * f->length_t / det, k->contraction = stretch + turn * v8d_sqrt(along2) / det;
+    k->gain = M_SQRT2 * f->length_s * f->length_t * v8d_abs(per_det);
+    k->contraction = stretch + turn * v8d_sqrt(along2) * v8d_abs(per_det);
     return v8d_less(along2 * (turn * turn), room * room);
 }
 
@@ -159,7 +165,8 @@ ALWAYS_INLINE Lanes are_from(const Rays *k, const RayBunch *b, Lanes lanes, V8d 
         from_s[i] = b->lane[i].root.s, from_t[i] = b->lane[i].root.t;
     }
     *s = v8d_load_doubles(from_s), *t = v8d_load_doubles(from_t);
-    V8d x = (*s - k->part.at.s0) * k->part.per_s, y = (*t - k->part.at.t0) * k->part.per_t;
+    KernelPart in = kernel_part(k->tile);
+    V8d x = (*s - in.at.s0) * in.per_s, y = (*t - in.at.t0) * in.per_t;
     return from & lanes & ~v8l_mask(beyond_margin(x) | beyond_margin(y));
 }
 
@@ -296,18 +303,25 @@ ALWAYS_INLINE Lanes place_roots(const Rays *k, const Iteration *n, Lanes *found)
     return outside & ~v8l_mask(is_near & is_beyond);
 }
 
-/* report: of the lanes that have found a root, those where it is in (t_min, t_max). */
+/* report: by how much the depth is wrong where the plane equations are so by 1. */
+ALWAYS_INLINE V8d error_of_depth(const Rays *k, V8d depth)
+{
+    const Vec4x8 *by_s = &k->last.by_s, *by_t = &k->last.by_t;
+    V8d along_s = by_s->z - depth * by_s->w, along_t = by_t->z - depth * by_t->w;
+    V8d x = along_s * by_t->y - along_t * by_s->y, y = along_t * by_s->x - along_s * by_t->x;
+    return 1 + v8d_sqrt(x * x + y * y) / v8d_abs(k->det);
+}
+
+/* report: of the lanes that have found a root, those where it is within the limits. */
 ALWAYS_INLINE Lanes set_roots(const Rays *k, const Iteration *n, Roots *out)
 {
     const PatchPoints *at = &k->last;
     V8d w = at->value.w + at->by_s.w * n->ds + at->by_t.w * n->dt;
     V8d depth = (at->value.z + at->by_s.z * n->ds + at->by_t.z * n->dt) / w;
-    V8d along_s = at->by_s.z - depth * at->by_s.w, along_t = at->by_t.z - depth * at->by_t.w;
-    V8d slope_x = along_s * at->by_t.y - along_t * at->by_s.y, slope_y = along_t * at->by_s.x - along_s * at->by_t.x;
-    V8d slope = v8d_sqrt(slope_x * slope_x + slope_y * slope_y) / v8d_abs(k->det);
     TilePlace in = k->part.at;
     out->s = in.s0 + clamp(n->s, 0, 1) * in.ds, out->t = in.t0 + clamp(n->t, 0, 1) * in.dt;
-    out->depth = depth, out->depth_error = k->rounding * (1 + slope), out->distance = 2 * k->rounding;
+    out->depth = depth, out->distance = 2 * k->rounding;
+    out->depth_error = k->rounding * error_of_depth(k, depth);
     return v8l_mask(v8d_less(k->t_min, depth) & v8d_less(depth, k->t_max));
 }
 
@@ -337,22 +351,25 @@ EVERY_X86
 Lanes tile_roots_bunch(const Tile *tile, const RayBunch *b, Lanes lanes, BunchLimits limits, Roots *out, Lanes *undecided,
                        Trace *trace)
 {
-    Rays k = { .tile = tile, .p = tile->patch, .f = &b->frames, .part = kernel_part(tile) };
+    Rays k = { .tile = tile, .p = tile->patch, .f = &b->frames };
     V8d from_s = v8d_splat(NAN), from_t = from_s;
-    see_frame(&k, b, limits);
+    set_up(&k, b, limits);
     lanes &= ~v8l_mask(passes_ball(&k));
     if (!lanes) return 0;
     Lanes from = are_from(&k, b, lanes, &from_s, &from_t);
     if (from && tile->stretch < CONTRACTION) lanes &= ~(from & v8l_mask(leave_tile(&k, from_s, from_t)));
     if (!lanes) return 0;
-    V8d det = v8d_abs(k.c_det);
+    see_frame(&k);
+    V8d det = v8d_abs(k.c_det), per_det = 1 / k.c_det;
     Lanes slanted = v8l_mask(v8d_less(v8d_splat(NO_ANGLE * tile->length_s * tile->length_t), det));
-    lanes &= ~(slanted & v8l_mask(passes_parallelogram(&k, det)));
+    lanes &= ~(slanted & v8l_mask(passes_parallelogram(&k, det, per_det)));
     if (!lanes) return 0;
-    Lanes certified = lanes & slanted & v8l_mask(are_certified(&k, det));
+    Lanes certified = lanes & slanted & v8l_mask(are_certified(&k, det, per_det));
     *undecided |= lanes & ~certified;
+    if (!certified) return 0;
+    k.part = kernel_part(tile);
     if (from & certified) start_from(&k, from, from_s, from_t);
-    return certified ? solve(&k, certified, out, undecided, trace) : 0;
+    return solve(&k, certified, out, undecided, trace);
 }
 
 Root roots_get(const Roots *roots, int i)

@@ -128,7 +128,7 @@ static Lanes search_tile(Search *k, const Tile *tile, Lanes lanes)
     Counters *count = &k->trace->counters;
     uint64_t n_tests = count->leaf_tests + (uint64_t)__builtin_popcount(lanes);
     double begin = k->trace->measures_time ? stats_now() : 0, counted = count->nurbs_seconds;
-    if (!are_few(lanes)) bunch_use_frames(k->b), lanes &= k->b->frames.finite;
+    if (!lanes_are_few(lanes)) bunch_use_frames(k->b), lanes &= k->b->frames.finite;
     search_parts(k, tile, lanes);
     count->leaf_tests = n_tests;
     if (k->trace->measures_time) count->nurbs_seconds = counted + stats_now() - begin;

@@ -186,13 +186,12 @@ static void walk_texture(Shading *k, Tracer *x, const Surface *at, const Path *p
     k->light.shadow = (Shadow){ at, path->media, &x->around, false, path->kind == RAY_CAMERA, x->trace };
 }
 
-/* What is seen, once light has been gathered. */
-static Pixel finish_texture(Shading *k)
+/* What comes from behind the surface and from its mirror image is added to what it shines with itself. */
+static void add_secondary(Shading *k, Pixel *seen)
 {
     Tracer *x = k->tracer;
     const Surface *at = k->light.shadow.at;
-    Rgb sum = gathered_light(&k->light);
-    if (!x->scene->needs_secondary_rays) return (Pixel){ sum.r, sum.g, sum.b, 0 };
+    Rgb sum = pixel_rgb(*seen);
     Pixel behind = { 0 };
     double transmit = transmit_of(k->through);
     bool is_total = false;
@@ -202,7 +201,15 @@ static Pixel finish_texture(Shading *k)
     }
     if (x->quality >= Q_REFLECTION && !is_total)
         sum = rgb_add(sum, reflections(x, at, k->light.layers, k->light.n, k->path));
-    return (Pixel){ sum.r, sum.g, sum.b, is_total ? 0 : behind.transmit * transmit };
+    *seen = (Pixel){ sum.r, sum.g, sum.b, is_total ? 0 : behind.transmit * transmit };
+}
+
+/* What is seen, once light has been gathered. */
+static void finish_texture(Shading *k, Pixel *out)
+{
+    Rgb light = gathered_light(&k->light);
+    out->r = light.r, out->g = light.g, out->b = light.b, out->transmit = 0;
+    if (k->tracer->scene->needs_secondary_rays) add_secondary(k, out);
 }
 
 static Pixel shade_map(Tracer *x, const Surface *at, const Path *path);
@@ -225,7 +232,9 @@ static Pixel shade_texture(Tracer *x, const Surface *at, const Path *path)
     Shading k;
     walk_texture(&k, x, at, path);
     gather_light(&k.light, x->quality);
-    return finish_texture(&k);
+    Pixel seen;
+    finish_texture(&k, &seen);
+    return seen;
 }
 
 /* Between two entries of its map a texture is both of them, each lit, mirroring and letting through for itself. */
@@ -342,7 +351,7 @@ static void shade_lit(CameraBunch *k, Lanes lit, Pixel out[])
     while (lit) {
         int i = lanes_next(&lit);
         if (traces) bunch_begin(k->rays, i, k->tracer[i].trace);
-        out[i] = finish_texture(&k->shading[i]);
+        finish_texture(&k->shading[i], &out[i]);
         if (traces) bunch_end(k->rays, i, k->tracer[i].trace);
     }
 }
@@ -362,6 +371,7 @@ void shade_camera_rays(const Scene *s, RayBunch *rays, int quality, Trace *t, Pi
     t->counters.camera_rays += (uint64_t)n;
     Lanes lit = look_at_surfaces(&k, hit_of_camera(s, &k, t), out);
     if (lit) shade_lit(&k, lit, out);
-    for (int i = 0; i < n; i++) out[i] = through_fog(&k.tracer[i], &rays->ray[i], k.hit[i].t, &FROM_CAMERA, out[i]);
+    for (int i = 0; i < n && s->n_fogs > 0; i++)
+        out[i] = through_fog(&k.tracer[i], &rays->ray[i], k.hit[i].t, &FROM_CAMERA, out[i]);
     arena_reset(t->scratch, mark);
 }

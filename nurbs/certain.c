@@ -69,18 +69,23 @@ static bool is_near_trim(const TrimTree *trims, const Tile *f, Vec3 d, const Roo
     return keeps_along(trims, vec2(u, v), vec2(along.x * w_u, along.y * w_v), vec2(du, dv), MAX_CUTS_ALONG);
 }
 
+bool certain_keeps(const TileTree *tree, uint32_t i, const Tile *part, Vec3 d, const Root *root, double u, double v, Trace *t)
+{
+    const TrimCell *cell = part->patch->is_trimmed ? tree->cells[i] : NULL;
+    t->counters.nurbs_hits++;
+    if (cell) {
+        t->counters.trim_tests++;
+        if (!trim_cell_keeps(cell, u, v) && !is_near_trim(tree->trims, part, d, root, u, v)) return false;
+    }
+    t->counters.reported_hits++;
+    return true;
+}
+
 static bool accept_root(void *context, const Tile *f, PatchRay *ray, const Root *root)
 {
     Search *k = context;
-    Counters *count = &k->trace->counters;
-    count->nurbs_hits++;
     double u = patch_u(f->patch, root->s), v = patch_v(f->patch, root->t);
-    const TrimCell *cell = f->patch->is_trimmed ? k->tree->cells[k->tile] : NULL;
-    if (cell) {
-        count->trim_tests++;
-        if (!trim_cell_keeps(cell, u, v) && !is_near_trim(k->tree->trims, f, ray->d, root, u, v)) return false;
-    }
-    count->reported_hits++;
+    if (!certain_keeps(k->tree, k->tile, f, ray->d, root, u, v, k->trace)) return false;
     k->found = true;
     CertainHit hit = { .u = u, .v = v, .t = root->depth / k->length, .t_error = root->distance / k->length,
                        .depth_error = root->depth_error / k->length, .tile = k->tile, .part = f,

@@ -1,5 +1,6 @@
 /* The adapter: a Surface as a Shape (render/shape.h), one ShapeType for each method. Its constructor is in nurbs.h. */
 #include "nurbs/certain.h"
+#include "nurbs/certain_bunch.h"
 #include "nurbs/intersect.h"
 #include "nurbs/prepare.h"
 #include "nurbs/tessellate.h"
@@ -82,6 +83,34 @@ static bool certain_shape_item_blocks(const void *at, uint32_t item, const Ray *
     return certain_any_on(at, item, r, t_max, t);
 }
 
+/* ---- the same for bunches ---- */
+
+_Static_assert(sizeof(Hit) % sizeof(double) == 0, "hits lie a whole number of their t apart");
+
+static BunchLimits limits_of(Hit best[]) { return (BunchLimits){ &best->t, sizeof *best / sizeof(double) }; }
+
+static void set_hits(const CertainHits *hits, Lanes hit, const Shape *s, Hit best[])
+{
+    while (hit) {
+        int i = lanes_next(&hit);
+        hit_set(&best[i], hits->t[i], hits->t_error[i], hits->u[i], hits->v[i], s, hits->tile[i]);
+    }
+}
+
+static Lanes certain_shape_hit_item_bunch(const void *at, uint32_t item, RayBunch *b, Lanes lanes, Hit best[], Trace *t)
+{
+    CertainHits hits;
+    Lanes hit = certain_nearest_on_bunch(at, item, b, lanes, limits_of(best), t, &hits);
+    if (hit) set_hits(&hits, hit, shape_of_tile(at), best);
+    return hit;
+}
+
+static Lanes certain_shape_item_blocks_bunch(const void *at, uint32_t item, RayBunch *b, Lanes lanes, const double t_max[],
+                                             Trace *t)
+{
+    return certain_any_on_bunch(at, item, b, lanes, t_max, t);
+}
+
 static void certain_shape_all_hits(const Shape *s, const Ray *r, HitList *out, Trace *t)
 {
     const NurbsShape *n = (const NurbsShape *)s;
@@ -102,7 +131,8 @@ static void certain_shape_attributes(const Shape *s, const Ray *r, const Hit *h,
 static const ShapeType certain_type = {
     .name = "trimmed_nurbs", .bounds = nurbs_bounds, .prepare = certain_shape_prepare, .hit = certain_shape_hit,
     .blocks = certain_shape_blocks, .lend = certain_shape_lend, .hit_item = certain_shape_hit_item,
-    .item_blocks = certain_shape_item_blocks, .all_hits = certain_shape_all_hits,
+    .item_blocks = certain_shape_item_blocks, .hit_item_bunch = certain_shape_hit_item_bunch,
+    .item_blocks_bunch = certain_shape_item_blocks_bunch, .all_hits = certain_shape_all_hits,
     .attributes = certain_shape_attributes, .tessellate = nurbs_tessellate,
 };
 

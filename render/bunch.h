@@ -5,17 +5,7 @@
 #define TRIMRAY_BUNCH_H
 
 #include "render/shape.h"
-#include "render/simd.h"
-
-/* Eight vectors, component by component. */
-typedef struct { V8d x, y, z; } Vec3x8;
-
-/* As vec_dot and vec_max_abs. */
-ALWAYS_INLINE V8d lanes_dot(const Vec3x8 *a, const Vec3x8 *b) { return a->x * b->x + a->y * b->y + a->z * b->z; }
-ALWAYS_INLINE V8d lanes_max_abs(const Vec3x8 *a)
-{
-    return v8d_max(v8d_abs(a->x), v8d_max(v8d_abs(a->y), v8d_max(v8d_abs(a->z), v8d_splat(0))));
-}
+#include "render/vec8.h"
 
 /* What Trace has of one ray alone: a ray that is traced by itself finds it there (bunch_begin) and leaves it (bunch_end). */
 typedef struct {
@@ -33,24 +23,35 @@ typedef struct {
     Lanes meeting;               /* rays that meet the bounds at all */
 } BunchSlabs;
 
+/* Rays as planes: unit directions and two unit vectors perpendicular to each and to each other (nurbs/certify.h). */
+typedef struct {
+    Vec3x8 d, n1, n2;
+    V8d length;                  /* of the directions */
+    Lanes finite;                /* those that are rays */
+} BunchFrames;
+
 struct RayBunch {
     int n;                       /* rays, 1 to BUNCH_WIDTH; lanes from there on repeat the last */
     Ray ray[BUNCH_WIDTH];
     BunchLane *lane;             /* of these, in whichever space they are */
     Vec3x8 origin, dir;          /* the same as `ray` */
     V8d t_min;
-    bool has_slabs;
-    Box slabs_bounds;
+    /* Made by the first who asks for them: */
+    bool has_frames, has_slabs;
+    BunchFrames frames;
     BunchSlabs slabs;
+    Box slabs_bounds;
 };
 
-/* Nothing that is made of the rays on first use is known yet. */
-static inline void bunch_forget(RayBunch *b) { b->has_slabs = false; }
-
-/* Sets the lanes from ray[0 .. n), and forgets what was made of others. */
+/* Sets the lanes from ray[0 .. n), or these from the lanes, and that nothing is known of them yet. */
 void bunch_set_lanes(RayBunch *b);
+void bunch_set_rays(RayBunch *b);
 
 static inline Lanes bunch_all(const RayBunch *b) { return (1u << b->n) - 1; }
+
+/* So many are better served one by one: eight at once cost about as much. */
+enum { FEW_LANES = 2 };
+static inline bool lanes_are_few(Lanes lanes) { return __builtin_popcount(lanes) <= FEW_LANES; }
 
 /* The number of the first lane; removes it. */
 static inline int lanes_next(Lanes *lanes)
@@ -60,16 +61,16 @@ static inline int lanes_next(Lanes *lanes)
     return i;
 }
 
-/* Before and after ray i goes on alone. */
-static inline void bunch_begin(const RayBunch *b, int i, Trace *t)
+/* Before and after a ray goes on alone. */
+static inline void lane_begin(const BunchLane *lane, Trace *t)
 {
-    t->seed = b->lane[i].seed, t->root = b->lane[i].root, t->left_out = 0;
+    t->seed = lane->seed, t->root = lane->root, t->left_out = 0;
 }
 
-static inline void bunch_end(RayBunch *b, int i, const Trace *t)
-{
-    b->lane[i].root = t->root, b->lane[i].left_out |= t->left_out;
-}
+static inline void lane_end(BunchLane *lane, const Trace *t) { lane->root = t->root, lane->left_out |= t->left_out; }
+
+static inline void bunch_begin(const RayBunch *b, int i, Trace *t) { lane_begin(&b->lane[i], t); }
+static inline void bunch_end(const RayBunch *b, int i, const Trace *t) { lane_end(&b->lane[i], t); }
 
 /* Each ray of `lanes` as shape_hit and shape_blocks have it, with best[i], t_max[i]: the lanes that were hit, that are
  * blocked. */

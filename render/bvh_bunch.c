@@ -44,7 +44,7 @@ ALWAYS_INLINE Lanes enter_box(const Box *box, const RayBunch *b, V8d t_max, V8d 
 ALWAYS_INLINE void find_starts(const WideBvh *tree, const RayBunch *b, BunchSlabs *s)
 {
     V8d most = v8d_splat(NEAR * tree->largest), enter;
-    V8l is_near = v8d_at_most(lanes_max_abs(&b->origin), most) & v8d_at_most(v8d_abs(b->t_min), most);
+    V8l is_near = v8d_at_most(vec8_max_abs(b->origin), most) & v8d_at_most(v8d_abs(b->t_min), most);
     s->start = b->t_min, s->meeting = v8l_mask(is_near);
     if (s->meeting == (1u << BUNCH_WIDTH) - 1) return;
     s->meeting |= enter_box(&tree->bounds, b, v8d_splat(INFINITY), &enter);
@@ -81,7 +81,7 @@ ALWAYS_INLINE void use_slabs(const WideBvh *tree, RayBunch *b)
     if (b->has_slabs && is_within(&tree->bounds, &b->slabs_bounds)) return;
     BunchSlabs *s = &b->slabs;
     find_starts(tree, b, s);
-    s->scale = lanes_max_abs(&b->dir);
+    s->scale = vec8_max_abs(b->dir);
     set_axis(s, 0, tree, b->origin.x, b->dir.x);
     set_axis(s, 1, tree, b->origin.y, b->dir.y);
     set_axis(s, 2, tree, b->origin.z, b->dir.z);

@@ -128,14 +128,10 @@ EVERY_X86
 static void rays_within(const Affine *a, const RayBunch *b, RayBunch *out)
 {
     out->n = b->n, out->lane = b->lane, out->t_min = b->t_min;
-    bunch_forget(out);
     vectors_within(a, &b->origin, &out->origin);
     out->origin.x += a->m[3][0], out->origin.y += a->m[3][1], out->origin.z += a->m[3][2];
     vectors_within(a, &b->dir, &out->dir);
-    for (int i = 0; i < out->n; i++) {
-        Vec3 origin = vec(out->origin.x[i], out->origin.y[i], out->origin.z[i]);
-        out->ray[i] = (Ray){ origin, vec(out->dir.x[i], out->dir.y[i], out->dir.z[i]), b->ray[i].t_min };
-    }
+    bunch_set_rays(out);
 }
 
 /* b itself, or what it is within o, in `room`. */

@@ -1,0 +1,147 @@
+/* Eight rays at a tile, and then at its halves, those that it leaves in doubt; alone, where they are few or that leads
+ * nowhere. */
+#include "nurbs/certain_bunch.h"
+
+#include "nurbs/certain.h"
+
+/* A tile is halved so often for lanes in doubt before they go on alone. */
+enum { MAX_LEVEL = 4 };
+
+typedef struct {
+    RayBunch *b;
+    uint32_t tile;               /* of its tree's */
+    BunchLimits limits;
+    Trace *trace;
+    CertainHits *nearest;        /* NULL: any hit will do, and ends the lane's search */
+    Lanes hit;
+} Search;
+
+typedef struct { const Tile *part; Lanes lanes; int level; } Doubt;
+
+/* ---- one by one ---- */
+
+static void go_alone(Search *k, const Tile *part, int i)
+{
+    const Ray *r = &k->b->ray[i];
+    double *limit = bunch_limit(k->limits, i);
+    CertainHit hit;
+    bunch_begin(k->b, i, k->trace);
+    bool is_hit = k->nearest ? certain_nearest_on(part, k->tile, r, *limit, k->trace, &hit)
+                             : certain_any_on(part, k->tile, r, *limit, k->trace);
+    bunch_end(k->b, i, k->trace);
+    if (!is_hit) return;
+    k->hit |= 1u << i;
+    if (!k->nearest) return;
+    *limit = k->nearest->t[i] = hit.t, k->nearest->t_error[i] = hit.t_error, k->nearest->tile[i] = k->tile;
+    k->nearest->u[i] = hit.u, k->nearest->v[i] = hit.v;
+}
+
+/* ---- together ---- */
+
+/* Roots as hits. */
+typedef struct { V8d t, t_error, u, v; } Found;
+
+/* patch_u, patch_v. */
+ALWAYS_INLINE V8d parameter(V8d s, double u0, double u1)
+{
+    return v8d_select(v8d_less(s, v8d_splat(1)), u0 + s * (u1 - u0), v8d_splat(u1));
+}
+
+ALWAYS_INLINE void find(const Search *k, const Patch *p, const Roots *roots, Found *out)
+{
+    V8d length = k->b->frames.length;
+    out->t = roots->depth / length, out->t_error = roots->distance / length;
+    out->u = parameter(roots->s, p->u0, p->u1), out->v = parameter(roots->t, p->v0, p->v1);
+}
+
+static Lanes keep_roots(const Search *k, const Tile *part, const Roots *roots, const Found *found, Lanes rooted)
+{
+    const BunchFrames *f = &k->b->frames;
+    Lanes kept = 0;
+    for (Lanes left = rooted; left; ) {
+        int i = lanes_next(&left);
+        Root root = roots_get(roots, i);
+        Vec3 d = vec(f->d.x[i], f->d.y[i], f->d.z[i]);
+        if (certain_keeps(tile_tree_of(part), k->tile, part, d, &root, found->u[i], found->v[i], k->trace)) kept |= 1u << i;
+    }
+    return kept;
+}
+
+static void take_nearest(Search *k, const Tile *part, const Roots *roots, const Found *found, Lanes kept)
+{
+    CertainHits *out = k->nearest;
+    while (kept) {
+        int i = lanes_next(&kept);
+        BunchLane *lane = &k->b->lane[i];
+        *bunch_limit(k->limits, i) = out->t[i] = found->t[i], out->t_error[i] = found->t_error[i], out->tile[i] = k->tile;
+        out->u[i] = found->u[i], out->v[i] = found->v[i];
+        lane->root = (RayRoot){ part->patch, roots->s[i], roots->t[i], lane->seed };
+    }
+}
+
+ALWAYS_INLINE void take_roots(Search *k, const Tile *part, const Roots *roots, Lanes rooted)
+{
+    Found found;
+    find(k, part->patch, roots, &found);
+    if (part->patch->is_trimmed) {
+        rooted = keep_roots(k, part, roots, &found, rooted);
+    } else {
+        uint64_t n = (uint64_t)__builtin_popcount(rooted);
+        k->trace->counters.nurbs_hits += n, k->trace->counters.reported_hits += n;
+    }
+    k->hit |= rooted;
+    if (k->nearest) take_nearest(k, part, roots, &found, rooted);
+}
+
+/* The lanes that a tile or a part of it leaves in doubt. */
+ALWAYS_INLINE Lanes solve_part(Search *k, const Tile *part, Lanes lanes)
+{
+    Roots roots;
+    Lanes undecided = 0, rooted = tile_roots_bunch(part, k->b, lanes, k->limits, &roots, &undecided, k->trace);
+    if (rooted) take_roots(k, part, &roots, rooted);
+    return undecided;
+}
+
+/* A side that is one point has proofs of its own for single rays. */
+ALWAYS_INLINE const Tile *halves_for(const Doubt *d, Lanes lanes)
+{
+    return d->level == MAX_LEVEL || lanes_are_few(lanes) || d->part->patch->collapsed ? NULL : tile_halves(d->part);
+}
+
+EVERY_X86
+static void search_parts(Search *k, const Tile *tile, Lanes lanes)
+{
+    Doubt stack[MAX_LEVEL + 1] = { { tile, lanes, 0 } };
+    for (int top = 1; top > 0; ) {
+        Doubt d = stack[--top];
+        if (!k->nearest) d.lanes &= ~k->hit;
+        Lanes left = lanes_are_few(d.lanes) ? d.lanes : solve_part(k, d.part, d.lanes);
+        const Tile *halves = left ? halves_for(&d, left) : NULL;
+        for (int i = 0; i < 2 && halves; i++) stack[top++] = (Doubt){ &halves[i], left, d.level + 1 };
+        while (left && !halves) go_alone(k, d.part, lanes_next(&left));
+    }
+}
+
+/* Each lane counts once. */
+static Lanes search_tile(Search *k, const Tile *tile, Lanes lanes)
+{
+    Counters *count = &k->trace->counters;
+    uint64_t n_tests = count->leaf_tests + (uint64_t)__builtin_popcount(lanes);
+    double begin = k->trace->measures_time ? stats_now() : 0, counted = count->nurbs_seconds;
+    bunch_use_frames(k->b);
+    search_parts(k, tile, lanes & k->b->frames.finite);
+    count->leaf_tests = n_tests;
+    if (k->trace->measures_time) count->nurbs_seconds = counted + stats_now() - begin;
+    return k->hit;
+}
+
+Lanes certain_nearest_on_bunch(const Tile *tile, uint32_t i, RayBunch *b, Lanes lanes, BunchLimits limits, Trace *t,
+                               CertainHits *out)
+{
+    return search_tile(&(Search){ .b = b, .tile = i, .limits = limits, .trace = t, .nearest = out }, tile, lanes);
+}
+
+Lanes certain_any_on_bunch(const Tile *tile, uint32_t i, RayBunch *b, Lanes lanes, const double t_max[], Trace *t)
+{
+    return search_tile(&(Search){ .b = b, .tile = i, .limits = { (double *)t_max, 1 }, .trace = t }, tile, lanes);
+}

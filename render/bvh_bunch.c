@@ -11,9 +11,8 @@
 #include "render/bvh_walk.h"
 #include "render/pencil.h"
 
-/* So many rays, or fewer, see a node's boxes one ray after the other: eight boxes at once take about a quarter of what
- * eight boxes one after the other take for eight rays. */
-#define FEW 3
+/* So many rays, or fewer, see a node's boxes one ray after the other, eight boxes at once. */
+#define FEW 2
 
 /* ---- rays and the tree's bounds ---- */
 

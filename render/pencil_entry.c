@@ -85,15 +85,15 @@ ALWAYS_INLINE Vec3x8 select_vectors(V8l truth, const Vec3x8 *a, const Vec3x8 *b)
 }
 
 /* As goes_to_apex. */
-ALWAYS_INLINE Lanes go_to_apex(const Pencil *p, const RayBunch *b, V8d t_max, const Vec3x8 *from)
+ALWAYS_INLINE Lanes go_to_apex(const Pencil *p, const RayBunch *b, V8d t_max, Vec3x8 from)
 {
     double delta = p->delta;
-    Vec3x8 cross = { from->y * b->dir.z - from->z * b->dir.y, from->z * b->dir.x - from->x * b->dir.z,
-                     from->x * b->dir.y - from->y * b->dir.x };
-    V8d length2 = vec8_dot(b->dir, b->dir), most = 0.25 * delta * delta * length2, distance = vec8_max_abs(*from);
+    Vec3x8 cross = { from.y * b->dir.z - from.z * b->dir.y, from.z * b->dir.x - from.x * b->dir.z,
+                     from.x * b->dir.y - from.y * b->dir.x };
+    V8d length2 = vec8_dot(b->dir, b->dir), most = 0.25 * delta * delta * length2, distance = vec8_max_abs(from);
     V8l is_near = v8d_at_most(vec8_dot(cross, cross), most) & v8d_less(v8d_splat(0x1p-900), most)
                 & v8d_less(most, v8d_splat(0x1p900));
-    V8l ends = v8d_at_most(t_max * length2, 0.25 * delta * vec8_max_abs(b->dir) - vec8_dot(*from, b->dir));
+    V8l ends = v8d_at_most(t_max * length2, 0.25 * delta * vec8_max_abs(b->dir) - vec8_dot(from, b->dir));
     V8l begins = v8d_at_most(v8d_splat(0), b->t_min) & v8d_less(v8d_splat(LEAST_WAY), distance);
     return v8l_mask(is_near & ends & begins & v8d_at_most(distance, v8d_splat(FAR / DELTA * delta)));
 }
@@ -101,7 +101,7 @@ ALWAYS_INLINE Lanes go_to_apex(const Pencil *p, const RayBunch *b, V8d t_max, co
 /* As find_way: which of the rays are of the pencil, and their directions from the apex. */
 ALWAYS_INLINE Lanes find_ways(const Pencil *p, const RayBunch *b, V8d t_max, Vec3x8 *way)
 {
-    Vec3x8 from = { b->origin.x - p->apex.x, b->origin.y - p->apex.y, b->origin.z - p->apex.z };
+    Vec3x8 from = vec8_sub(b->origin, vec8_splat(p->apex));
     Lanes are_elsewhere = v8l_mask(v8d_differs(from.x, v8d_splat(0)) | v8d_differs(from.y, v8d_splat(0))
                                    | v8d_differs(from.z, v8d_splat(0)));
     V8l leave = v8d_at_most(v8d_splat(0), b->t_min) & v8d_less(v8d_splat(LEAST_WAY), vec8_max_abs(b->dir));
@@ -109,7 +109,7 @@ ALWAYS_INLINE Lanes find_ways(const Pencil *p, const RayBunch *b, V8d t_max, Vec
     *way = b->dir;
     if (!are_elsewhere) return of_it;
     *way = select_vectors(v8l_truth(are_elsewhere), &from, &b->dir);
-    return of_it | (go_to_apex(p, b, t_max, &from) & are_elsewhere);
+    return of_it | (go_to_apex(p, b, t_max, from) & are_elsewhere);
 }
 
 /* Adds rays to those that enter by the same node; the number of nodes then. NULL: they meet nothing. */

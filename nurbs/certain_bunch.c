@@ -1,14 +1,11 @@
-/* Eight rays at a tile, and then at its halves, those that it leaves in doubt; alone, where they are few or that leads
- * nowhere. */
+/* Eight rays at a tile, and then at its halves, those that it leaves in doubt; alone, where that leads nowhere, or where the
+ * machine has no registers for eight. What a ray finds does not depend on those beside it. */
 #include "nurbs/certain_bunch.h"
 
 #include "nurbs/certain.h"
 
-/* So many lanes are better served one by one: eight cost about as much as that many. */
-enum { FEW_LANES = 2 };
-
 /* A tile is halved so often for lanes in doubt before they go on alone. */
-enum { MAX_LEVEL = 4 };
+enum { MAX_LEVEL = 6 };
 
 typedef struct {
     RayBunch *b;
@@ -20,8 +17,6 @@ typedef struct {
 } Search;
 
 typedef struct { const Tile *part; Lanes lanes; int level; } Doubt;
-
-ALWAYS_INLINE bool are_few(Lanes lanes) { return __builtin_popcount(lanes) <= FEW_LANES; }
 
 /* ---- one by one ---- */
 
@@ -98,30 +93,33 @@ ALWAYS_INLINE void take_roots(Search *k, const Tile *part, const Roots *roots, L
     if (k->nearest) take_nearest(k, part, roots, &found, rooted);
 }
 
-/* The lanes that a tile or a part of it leaves in doubt. */
+/* The lanes that a tile or a part of it leaves in doubt; those that its halves cannot help go on alone. */
 ALWAYS_INLINE Lanes solve_part(Search *k, const Tile *part, Lanes lanes)
 {
     Roots roots;
-    Lanes undecided = 0, rooted = tile_roots_bunch(part, k->b, lanes, k->limits, &roots, &undecided, k->trace);
+    LanesLeft left;
+    Lanes rooted = tile_roots_bunch(part, k->b, lanes, k->limits, &roots, &left, k->trace);
     if (rooted) take_roots(k, part, &roots, rooted);
-    return undecided;
+    while (left.alone) go_alone(k, part, lanes_next(&left.alone));
+    return left.in_doubt;
 }
 
 /* A side that is one point has proofs of its own for single rays. */
-ALWAYS_INLINE const Tile *halves_for(const Doubt *d, Lanes lanes)
+static const Tile *halves_for(const Doubt *d)
 {
-    return d->level == MAX_LEVEL || are_few(lanes) || d->part->patch->collapsed ? NULL : tile_halves(d->part);
+    return d->level == MAX_LEVEL || d->part->patch->collapsed ? NULL : tile_halves(d->part);
 }
 
 EVERY_X86
 static void search_parts(Search *k, const Tile *tile, Lanes lanes)
 {
-    Doubt stack[MAX_LEVEL + 1] = { { tile, lanes, 0 } };
+    bunch_use_frames(k->b);
+    Doubt stack[MAX_LEVEL + 1] = { { tile, lanes & k->b->frames.finite, 0 } };
     for (int top = 1; top > 0; ) {
         Doubt d = stack[--top];
-        if (!k->nearest) d.lanes &= ~k->hit;
-        Lanes left = are_few(d.lanes) ? d.lanes : solve_part(k, d.part, d.lanes);
-        const Tile *halves = left ? halves_for(&d, left) : NULL;
+        if (!k->nearest && !(d.lanes &= ~k->hit)) continue;
+        Lanes left = solve_part(k, d.part, d.lanes);
+        const Tile *halves = left ? halves_for(&d) : NULL;
         for (int i = 0; i < 2 && halves; i++) stack[top++] = (Doubt){ &halves[i], left, d.level + 1 };
         while (left && !halves) go_alone(k, d.part, lanes_next(&left));
     }
@@ -133,8 +131,8 @@ static Lanes search_tile(Search *k, const Tile *tile, Lanes lanes)
     Counters *count = &k->trace->counters;
     uint64_t n_tests = count->leaf_tests + (uint64_t)__builtin_popcount(lanes);
     double begin = k->trace->measures_time ? stats_now() : 0, counted = count->nurbs_seconds;
-    if (!are_few(lanes)) bunch_use_frames(k->b), lanes &= k->b->frames.finite;
-    search_parts(k, tile, lanes);
+    if (v8d_is_one_register()) search_parts(k, tile, lanes);
+    else while (lanes) go_alone(k, tile, lanes_next(&lanes));
     count->leaf_tests = n_tests;
     if (k->trace->measures_time) count->nurbs_seconds = counted + stats_now() - begin;
     return k->hit;

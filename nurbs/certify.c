@@ -26,6 +26,7 @@
 #include "nurbs/clip.h"
 #include "nurbs/patch_kernel.h"
 #include "nurbs/pole.h"
+#include "nurbs/pole_cone.h"
 
 #include <math.h>
 
@@ -355,6 +356,7 @@ static bool roots_in_doubt(const Tile *tile, PatchRay *r, RootVisit visit, void 
 EVERY_X86
 bool tile_roots(const Tile *tile, PatchRay *r, RootVisit visit, void *context, Trace *trace)
 {
+    if (tile->cone && pole_cone_is_out_of_reach(pole_cone_of(tile), tile->patch, r)) return false;
     Solve k;
     switch (meet_tile(&k, tile, r)) {
     case FRAME_MISS: return false;

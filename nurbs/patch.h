@@ -15,9 +15,12 @@
 /* How far beyond [0, 1] it is evaluated. */
 #define PATCH_MARGIN 0.0625
 
+typedef struct PoleCone PoleCone;
+
 /* What all patches of a surface share, but rays seldom ask for. */
 typedef struct {
     Arena *arena;                 /* for parts of the patches that rays ask for later (tile.c) */
+    const PoleCone *cones;        /* of tiles at poles (pole_cone.h) */
 } PatchGroup;
 
 typedef struct {

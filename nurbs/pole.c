@@ -10,20 +10,26 @@
 
 static const PoleSide SIDES[4] = { { false, false }, { false, true }, { true, false }, { true, true } };
 
-static bool is_on_side(const Tile *f, PoleSide side)
+static bool is_on_side(TilePlace at, PoleSide side)
 {
-    TilePlace at = tile_place(f);
     double from = side.is_t ? at.t0 : at.s0, width = side.is_t ? at.dt : at.ds;
     return side.is_end ? from + width >= 1 : from <= 0;
 }
 
 static double largest(double x, double y) { return double_max(fabs(x), fabs(y)); }
 
-/* A corner of the patch that is on the side. */
-static Vec4 corner(const Patch *p, PoleSide side)
+Vec3 pole_of(const Patch *p, PoleSide side)
 {
-    if (!side.is_end) return p->p[0];
-    return side.is_t ? p->p[(p->k_v - 1) * p->k_u] : p->p[p->k_u - 1];
+    int last = side.is_t ? (p->k_v - 1) * p->k_u : p->k_u - 1;
+    return vec4_project(p->p[side.is_end ? last : 0]);
+}
+
+int pole_sides(const Patch *p, TilePlace place, PoleSide *side)
+{
+    int n = 0;
+    for (int i = 0; i < 4; i++)
+        if (p->collapsed & 1u << i && is_on_side(place, SIDES[i])) *side = SIDES[i], n++;
+    return n;
 }
 
 bool pole_is_met(const Tile *f, const PatchRay *r, PoleSide *side)
@@ -31,8 +37,8 @@ bool pole_is_met(const Tile *f, const PatchRay *r, PoleSide *side)
     const Patch *p = f->patch;
     Vec3 o = vec_sub(r->origin, p->origin);
     for (int i = 0; i < 4 && p->collapsed; i++) {
-        if (!(p->collapsed & 1u << i) || !is_on_side(f, SIDES[i])) continue;
-        Vec3 pole = vec_sub(vec4_project(corner(p, SIDES[i])), o);
+        if (!(p->collapsed & 1u << i) || !is_on_side(tile_place(f), SIDES[i])) continue;
+        Vec3 pole = vec_sub(pole_of(p, SIDES[i]), o);
         *side = SIDES[i];
         if (largest(vec_dot(r->n1, pole), vec_dot(r->n2, pole)) <= patch_rounding(p, o)) return true;
     }

@@ -7,6 +7,12 @@
 
 typedef struct { bool is_t, is_end; } PoleSide;      /* s or t is 0 or 1 all along it */
 
+/* The point that a collapsed side of the patch is, about the patch's origin. */
+Vec3 pole_of(const Patch *p, PoleSide side);
+
+/* How many collapsed sides of the patch a place has on it; sets *side to the last one. */
+int pole_sides(const Patch *p, TilePlace place, PoleSide *side);
+
 /* Does a collapsed side of the patch, on the tile, lie on the ray, as far as rounding can tell? */
 bool pole_is_met(const Tile *tile, const PatchRay *r, PoleSide *side);
 

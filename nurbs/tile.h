@@ -66,7 +66,8 @@ struct Tile {
     float turn, stretch;
     float sine;                      /* |half_s x half_t| <= sine length_s length_t */
     float w_middle;                  /* the weight at the middle: 1 where the patch is polynomial */
-    uint32_t n_halvings;             /* since the preparation */
+    uint32_t n_halvings : 8;         /* since the preparation */
+    uint32_t cone : 24;              /* 1 + index of its cone (pole_cone.h) among its group's; 0: it has none */
 };
 
 static inline Vec3 tile_vec(const float x[3]) { return vec(x[0], x[1], x[2]); }

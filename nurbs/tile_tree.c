@@ -3,6 +3,7 @@
 
 #include "nurbs/bezier.h"
 #include "nurbs/knots.h"
+#include "nurbs/pole_cone.h"
 
 #include <float.h>
 
@@ -18,8 +19,9 @@ typedef struct {
     Arena *own, *lists;
     Tile *tiles;
     const TrimCell **cells;
+    PoleCone *cones;
     BvhNode *nodes;
-    size_t n_tiles, n_cells, n_nodes, tiles_capacity, cells_capacity, nodes_capacity;
+    size_t n_tiles, n_cells, n_cones, n_nodes, tiles_capacity, cells_capacity, cones_capacity, nodes_capacity;
     uint32_t n_cut, n_untested;
     const int *spans_u, *spans_v;    /* indices of the non-empty spans */
 } Preparation;
@@ -52,6 +54,17 @@ static Box box_of_tile(const Preparation *k, const Vec4 *net, const Patch *p)
     return box_expand(hull, p->rounding + tile_net_error(p) + DBL_EPSILON * (vec_max_abs(to) + p->radius));
 }
 
+/* More cones than an index has room for no ray would wait for; those beyond have none. */
+#define MAX_CONES ((1u << 24) - 1)
+
+static void add_cone(Preparation *k, const Vec4 *net, const Part *part, Tile *tile)
+{
+    PoleCone cone;
+    if (!part->patch->collapsed || k->n_cones == MAX_CONES || !pole_cone_make(part->patch, part->place, net, &cone)) return;
+    ARENA_PUSH(k->lists, k->cones, k->n_cones, k->cones_capacity) = cone;
+    tile->cone = (uint32_t)k->n_cones;
+}
+
 /* false: on a closer look it is wholly trimmed away. */
 static bool keep_tile(Preparation *k, uint32_t at, const Vec4 *net, const Part *part)
 {
@@ -63,7 +76,9 @@ static bool keep_tile(Preparation *k, uint32_t at, const Vec4 *net, const Part *
     }
     k->n_untested += s->trims && !cell;
     k->nodes[at] = (BvhNode){ box_of_tile(k, net, part->patch), (uint32_t)k->n_tiles, 1 };
-    tile_make(part->patch, net, part->place, &ARENA_PUSH(k->lists, k->tiles, k->n_tiles, k->tiles_capacity));
+    Tile *tile = &ARENA_PUSH(k->lists, k->tiles, k->n_tiles, k->tiles_capacity);
+    tile_make(part->patch, net, part->place, tile);
+    add_cone(k, net, part, tile);
     if (s->trims) ARENA_PUSH(k->lists, k->cells, k->n_cells, k->cells_capacity) = cell;
     return true;
 }
@@ -202,7 +217,8 @@ void tile_tree_make(Arena *a, const Surface *surface, double variation, TileTree
     const Tile *tiles = arena_copy(a, k.tiles, k.n_tiles, sizeof *k.tiles);
     Bvh *bvh = bvh_from_tree(a, k.nodes, has_any ? (uint32_t)k.n_nodes : 0);
     set_items(bvh, tiles, &k);
-    *out = (TileTree){ .group = { a }, .base = base, .bvh_base = is_far ? base : nowhere, .tiles = tiles, .bvh = bvh,
+    const PoleCone *cones = arena_copy(a, k.cones, k.n_cones, sizeof *k.cones);
+    *out = (TileTree){ .group = { a, cones }, .base = base, .bvh_base = is_far ? base : nowhere, .tiles = tiles, .bvh = bvh,
                         .cells = s->trims ? arena_copy(a, k.cells, k.n_cells, sizeof *k.cells) : NULL, .trims = s->trims,
                         .n_tiles = (uint32_t)k.n_tiles, .n_cut = k.n_cut, .n_untested = k.n_untested };
     out->bytes = arena_used(a) - used;

@@ -40,12 +40,32 @@ static Pixel scaled(Pixel p, double by) { return (Pixel){ p.r * by, p.g * by, p.
 /* ---- places ---- */
 
 /* Displaced by chance that depends on the place alone; `spacing` is the distance between samples. */
-static Pixel sample_near(const Block *b, double x, double y, double spacing)
+static Vec2 place_near(const Block *b, double x, double y, double spacing)
 {
     double reach = b->options->jitter * spacing;
-    if (reach == 0) return b->sample(b->context, x, y);
+    if (reach == 0) return vec2(x, y);
     uint64_t chance = hash_combine(hash_mix(hash_bits(x)), hash_bits(y));
-    return b->sample(b->context, x + reach * (hash_unit(chance) - .5), y + reach * (hash_unit(hash_mix(chance)) - .5));
+    return vec2(x + reach * (hash_unit(chance) - .5), y + reach * (hash_unit(hash_mix(chance)) - .5));
+}
+
+/* Places that are sampled together: as near each other as eight can be. */
+enum { GROUP_ACROSS = 4, GROUP_DOWN = 2 };
+
+/* Samples at whole numbers, but for `off` in both directions, of [x0, x1) x [y0, y1), row by row. */
+static void sample_grid(const Block *b, int x0, int y0, int x1, int y1, double off, double spacing, Pixel *out,
+                        size_t stride)
+{
+    Vec2 at[GROUP_ACROSS * GROUP_DOWN];
+    Pixel found[GROUP_ACROSS * GROUP_DOWN];
+    for (int y = y0; y < y1; y += GROUP_DOWN)
+        for (int x = x0; x < x1; x += GROUP_ACROSS) {
+            int across = int_min(GROUP_ACROSS, x1 - x), down = int_min(GROUP_DOWN, y1 - y);
+            for (int i = 0; i < across * down; i++)
+                at[i] = place_near(b, x + i % across + off, y + i / across + off, spacing);
+            b->sample(b->context, at, across * down, found);
+            for (int i = 0; i < across * down; i++)
+                out[(size_t)(y - y0 + i / across) * stride + (size_t)(x - x0 + i % across)] = found[i];
+        }
 }
 
 /* ---- method 1 ---- */
@@ -55,23 +75,17 @@ typedef struct { Look look; bool is_done; } Cell;
 static void refine(const Block *b, Cell *c, int x, int y)
 {
     int n = b->options->depth;
-    Pixel sum = c->look.value;
+    Vec2 at[ANTIALIAS_MAX_DEPTH * ANTIALIAS_MAX_DEPTH] = { 0 };
+    Pixel found[ANTIALIAS_MAX_DEPTH * ANTIALIAS_MAX_DEPTH], sum = c->look.value;
     for (int j = 0; j < n; j++)
-        for (int i = 0; i < n; i++) {
-            Pixel p = sample_near(b, x - .5 + (i + .5) / n, y - .5 + (j + .5) / n, 1. / n);
-            add(&sum, &p);
-        }
+        for (int i = 0; i < n; i++) at[j * n + i] = place_near(b, x - .5 + (i + .5) / n, y - .5 + (j + .5) / n, 1. / n);
+    b->sample(b->context, at, n * n, found);
+    for (int i = 0; i < n * n; i++) add(&sum, &found[i]);
     *c = (Cell){ look_of(b->options, scaled(sum, 1. / (n * n + 1))), true };
-}
-
-static Cell first_look(const Block *b, int x, int y, bool is_border)
-{
-    return (Cell){ look_of(b->options, b->sample(b->context, x, y)), is_border };
 }
 
 static void look_at(const Block *b, Cell *here, Cell *left, Cell *above, int x, int y)
 {
-    *here = first_look(b, x, y, false);
     bool differs_left = differ(b->options, &here->look, &left->look);
     bool differs_above = differ(b->options, &here->look, &above->look);
     if (differs_left && !left->is_done) refine(b, left, x - 1, y);
@@ -79,23 +93,37 @@ static void look_at(const Block *b, Cell *here, Cell *left, Cell *above, int x, 
     if (differs_left || differs_above) refine(b, here, x, y);
 }
 
+/* The first looks at [x0, x1) x [y0, y1), into cells[0] and on. */
+static void look_first(const Block *b, int x0, int y0, int x1, int y1, bool is_border, Arena *scratch, Cell *cells,
+                       size_t stride)
+{
+    size_t width = (size_t)(x1 - x0), height = (size_t)(y1 - y0);
+    ArenaMark mark = arena_mark(scratch);
+    Pixel *found = ARENA_ARRAY(scratch, Pixel, width * height);
+    sample_grid(b, x0, y0, x1, y1, 0, 0, found, width);
+    for (size_t j = 0; j < height; j++)
+        for (size_t i = 0; i < width; i++)
+            cells[j * stride + i] = (Cell){ look_of(b->options, found[j * width + i]), is_border };
+    arena_reset(scratch, mark);
+}
+
 /* Cells of the block with a border above and on the left. */
 static void method_1(const Block *b, Arena *scratch, Pixel *out, size_t stride)
 {
     size_t across = (size_t)b->width + 1;
-    Cell *cells = ARENA_ARRAY(scratch, Cell, across * ((size_t)b->height + 1));
-    for (int i = 0; i < b->width; i++) cells[i + 1] = first_look(b, b->x0 + i, b->y0 - 1, true);
-    for (int j = 0; j < b->height; j++) {
-        Cell *row = cells + across * ((size_t)j + 1);
-        row[0] = first_look(b, b->x0 - 1, b->y0 + j, true);
+    int x0 = b->x0, y0 = b->y0, x1 = x0 + b->width, y1 = y0 + b->height;
+    Cell *cells = ARENA_ARRAY(scratch, Cell, across * ((size_t)b->height + 1)), *first = cells + across + 1;
+    look_first(b, x0, y0 - 1, x1, y0, true, scratch, cells + 1, across);
+    look_first(b, x0 - 1, y0, x0, y1, true, scratch, cells + across, across);
+    look_first(b, x0, y0, x1, y1, false, scratch, first, across);
+    for (int j = 0; j < b->height; j++)
         for (int i = 0; i < b->width; i++) {
-            Cell *here = &row[i + 1];
-            look_at(b, here, here - 1, here - across, b->x0 + i, b->y0 + j);
+            Cell *here = first + across * (size_t)j + i;
+            look_at(b, here, here - 1, here - across, x0 + i, y0 + j);
         }
-    }
     for (int j = 0; j < b->height; j++)
         for (int i = 0; i < b->width; i++)
-            out[(size_t)j * stride + (size_t)i] = cells[across * ((size_t)j + 1) + (size_t)i + 1].look.value;
+            out[(size_t)j * stride + (size_t)i] = first[across * (size_t)j + (size_t)i].look.value;
 }
 
 /* ---- method 2 ---- */
@@ -112,7 +140,10 @@ static const Look *grid_at(const Grid *g, int i, int j)
 {
     size_t k = (size_t)j * ((size_t)g->n + 1) + (size_t)i;
     if (!g->is_known[k]) {
-        Pixel p = sample_near(g->block, g->x - .5 + (double)i / g->n, g->y - .5 + (double)j / g->n, 1. / g->n);
+        const Block *b = g->block;
+        Vec2 at = place_near(b, g->x - .5 + (double)i / g->n, g->y - .5 + (double)j / g->n, 1. / g->n);
+        Pixel p;
+        b->sample(b->context, &at, 1, &p);
         g->looks[k] = look_of(g->block->options, p);
         g->is_known[k] = true;
     }
@@ -158,16 +189,15 @@ static Pixel divide_pixel(Grid *g, int x, int y, const Look *above, const Look *
 static void method_2(const Block *b, Arena *scratch, Pixel *out, size_t stride)
 {
     int n = 1 << (b->options->depth - 1);
-    size_t across = (size_t)b->width + 1, n_places = ((size_t)n + 1) * ((size_t)n + 1);
-    Look *corners = ARENA_ARRAY(scratch, Look, across * ((size_t)b->height + 1));
+    size_t across = (size_t)b->width + 1, n_corners = across * ((size_t)b->height + 1);
+    size_t n_places = ((size_t)n + 1) * ((size_t)n + 1);
+    Pixel *found = ARENA_ARRAY(scratch, Pixel, n_corners);
+    Look *corners = ARENA_ARRAY(scratch, Look, n_corners);
     Grid g = { .block = b, .n = n };
     g.looks = ARENA_ARRAY(scratch, Look, n_places);
     g.is_known = ARENA_ARRAY(scratch, bool, n_places);
-    for (int j = 0; j <= b->height; j++)
-        for (int i = 0; i <= b->width; i++) {
-            Pixel p = sample_near(b, b->x0 + i - .5, b->y0 + j - .5, 1. / n);
-            corners[(size_t)j * across + (size_t)i] = look_of(b->options, p);
-        }
+    sample_grid(b, b->x0, b->y0, b->x0 + b->width + 1, b->y0 + b->height + 1, -.5, 1. / n, found, across);
+    for (size_t i = 0; i < n_corners; i++) corners[i] = look_of(b->options, found[i]);
     for (int j = 0; j < b->height; j++)
         for (int i = 0; i < b->width; i++) {
             const Look *above = corners + (size_t)j * across + (size_t)i;
@@ -186,8 +216,7 @@ void antialias_block(const Antialias *a, int x0, int y0, int x1, int y1, Antiali
     } else if (a->method == 1) {
         method_1(&b, scratch, out, stride);
     } else {
-        for (int j = 0; j < b.height; j++)
-            for (int i = 0; i < b.width; i++) out[(size_t)j * stride + (size_t)i] = sample(context, x0 + i, y0 + j);
+        sample_grid(&b, x0, y0, x1, y1, 0, 0, out, stride);
     }
     arena_reset(scratch, mark);
 }

@@ -17,8 +17,9 @@ enum { ANTIALIAS_MAX_DEPTH = 9, ANTIALIAS_MIN_BLOCK = 4 };
 /* POV-Ray's, but off and without jitter. */
 static inline Antialias antialias_default(void) { return (Antialias){ .threshold = .3, .depth = 3, .gamma = 2.5 }; }
 
-/* A sample of the picture; pixel centres are at integers. Must depend on nothing but its place. */
-typedef Pixel (*AntialiasSample)(void *context, double x, double y);
+/* Samples of the picture, into out[0 .. n); pixel centres are at integers. Must depend on nothing but their places; places
+ * that are asked for together are neighbours. */
+typedef void (*AntialiasSample)(void *context, const Vec2 at[], int n, Pixel out[]);
 
 /* The pixels [x0, x1) x [y0, y1), row by row into out, whose rows are `stride` pixels apart. For method 1 the result depends
  * on the block, as in POV-Ray: the row above it and the column left of it are looked at, but not refined. */

@@ -111,10 +111,10 @@ static inline BoxRay box_ray(Vec3 origin, Vec3 dir)
  *   gives two infinities of one sign, and no hit. An origin in a face gives 0 * inf = NaN there, which the comparisons
  *   pass over: the face belongs to the box.
  * - (bound - origin) * inverse has three roundings, so a relative error of at most 3u + O(u^2), u = 2^-53; the products
- *   are moved outward by WIDEN = 8u of themselves, which covers the roundings of the move as well. */
+ *   are moved outward by BOX_WIDEN = 8u of themselves, which covers the roundings of the move as well. */
+#define BOX_WIDEN (8 * 0x1p-53)
 static inline bool box_hit(const Box *b, const BoxRay *r, double t_min, double t_max, double *t_enter)
 {
-    static const double WIDEN = 8 * 0x1p-53;
     double enter = -INFINITY, leave = INFINITY;
     for (int k = 0; k < 3; k++) {
         double near_bound = r->is_negative[k] ? b->hi[k] : b->lo[k];
@@ -125,8 +125,8 @@ static inline bool box_hit(const Box *b, const BoxRay *r, double t_min, double t
         if (far_t < leave) leave = far_t;
     }
     if (!(enter < INFINITY && leave > -INFINITY)) return false;
-    enter -= fabs(enter) * WIDEN;
-    leave += fabs(leave) * WIDEN;
+    enter -= fabs(enter) * BOX_WIDEN;
+    leave += fabs(leave) * BOX_WIDEN;
     if (!(enter > t_min)) enter = t_min;
     if (!(leave < t_max)) leave = t_max;
     *t_enter = enter;

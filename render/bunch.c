@@ -1,15 +1,26 @@
 /* Bunches of rays: their lanes, and shapes that do not know them. */
 #include "render/bunch.h"
 
+EVERY_X86
 void bunch_set_lanes(RayBunch *b)
 {
-    b->has_frames = false;
-    for (int i = 0; i < BUNCH_WIDTH; i++) {
-        const Ray *r = &b->ray[int_min(i, b->n - 1)];
-        b->origin.x[i] = r->origin.x, b->origin.y[i] = r->origin.y, b->origin.z[i] = r->origin.z;
-        b->dir.x[i] = r->dir.x, b->dir.y[i] = r->dir.y, b->dir.z[i] = r->dir.z;
-        b->t_min[i] = r->t_min;
+    const void *ray[BUNCH_WIDTH];
+    for (int i = 0; i < BUNCH_WIDTH; i++) ray[i] = &b->ray[int_min(i, b->n - 1)];
+    b->origin = vec8_gather(ray, offsetof(Ray, origin));
+    b->dir = vec8_gather(ray, offsetof(Ray, dir));
+    b->t_min = v8d_gather(ray, offsetof(Ray, t_min));
+    b->has_frames = b->has_slabs = false;
+}
+
+void bunch_set_rays(RayBunch *b)
+{
+    for (int i = 0; i < b->n; i++) {
+        Ray *r = &b->ray[i];
+        r->origin.x = b->origin.x[i], r->origin.y = b->origin.y[i], r->origin.z = b->origin.z[i];
+        r->dir.x = b->dir.x[i], r->dir.y = b->dir.y[i], r->dir.z = b->dir.z[i];
+        r->t_min = b->t_min[i];
     }
+    b->has_frames = b->has_slabs = false;
 }
 
 static Lanes hit_one_by_one(const Shape *s, RayBunch *b, Lanes lanes, Hit best[], Trace *t)

@@ -1,14 +1,11 @@
-/* Neighbouring rays, traced together: eight lanes of vectors, and what they meet is read once for all of them. Rays that part
- * from the others go on alone: whoever has no use for a bunch takes its rays one by one, and a shape that knows nothing of
- * bunches is asked so (shape_hit_bunch). */
+/* Neighbouring rays, traced together: eight lanes of vectors, and what they meet is read once for all of them. Rays that
+ * part from the others go on alone: whoever has no use for a bunch takes its rays one by one, and a shape that knows nothing
+ * of bunches is asked so (shape_hit_bunch). */
 #ifndef TRIMRAY_BUNCH_H
 #define TRIMRAY_BUNCH_H
 
 #include "render/shape.h"
-#include "render/simd.h"
-
-/* Eight vectors, component by component. */
-typedef struct { V8d x, y, z; } Vec3x8;
+#include "render/vec8.h"
 
 /* What Trace has of one ray alone: a ray that is traced by itself finds it there (bunch_begin) and leaves it (bunch_end). */
 typedef struct {
@@ -16,6 +13,15 @@ typedef struct {
     RayRoot root;
     unsigned left_out;
 } BunchLane;
+
+/* The rays as a tree of eight-wide boxes sees them (bvh_bunch.c), as WideRay has one; they are made by the first tree that
+ * needs them, and serve for those within its bounds. */
+typedef struct {
+    V8f inverse[3], near_shift[3], far_shift[3], t_min;
+    V8d start, scale;
+    Lanes negative[3];           /* rays whose direction is, along each axis */
+    Lanes meeting;               /* rays that meet the bounds at all */
+} BunchSlabs;
 
 /* Rays as planes: unit directions and two unit vectors perpendicular to each and to each other (nurbs/certify.h). */
 typedef struct {
@@ -30,14 +36,22 @@ struct RayBunch {
     BunchLane *lane;             /* of these, in whichever space they are */
     Vec3x8 origin, dir;          /* the same as `ray` */
     V8d t_min;
-    bool has_frames;             /* made by the first who asks for them: */
+    /* Made by the first who asks for them: */
+    bool has_frames, has_slabs;
     BunchFrames frames;
+    BunchSlabs slabs;
+    Box slabs_bounds;
 };
 
-/* Sets the lanes from ray[0 .. n), and that nothing is known of them yet. */
+/* Sets the lanes from ray[0 .. n), or these from the lanes, and that nothing is known of them yet. */
 void bunch_set_lanes(RayBunch *b);
+void bunch_set_rays(RayBunch *b);
 
 static inline Lanes bunch_all(const RayBunch *b) { return (1u << b->n) - 1; }
+
+/* So many are better served one by one: eight at once cost about as much. */
+enum { FEW_LANES = 2 };
+static inline bool lanes_are_few(Lanes lanes) { return __builtin_popcount(lanes) <= FEW_LANES; }
 
 /* The number of the first lane; removes it. */
 static inline int lanes_next(Lanes *lanes)
@@ -47,16 +61,16 @@ static inline int lanes_next(Lanes *lanes)
     return i;
 }
 
-/* Before and after ray i goes on alone. */
-static inline void bunch_begin(const RayBunch *b, int i, Trace *t)
+/* Before and after a ray goes on alone. */
+static inline void lane_begin(const BunchLane *lane, Trace *t)
 {
-    t->seed = b->lane[i].seed, t->root = b->lane[i].root, t->left_out = 0;
+    t->seed = lane->seed, t->root = lane->root, t->left_out = 0;
 }
 
-static inline void bunch_end(RayBunch *b, int i, const Trace *t)
-{
-    b->lane[i].root = t->root, b->lane[i].left_out |= t->left_out;
-}
+static inline void lane_end(BunchLane *lane, const Trace *t) { lane->root = t->root, lane->left_out |= t->left_out; }
+
+static inline void bunch_begin(const RayBunch *b, int i, Trace *t) { lane_begin(&b->lane[i], t); }
+static inline void bunch_end(const RayBunch *b, int i, const Trace *t) { lane_end(&b->lane[i], t); }
 
 /* Each ray of `lanes` as shape_hit and shape_blocks have it, with best[i], t_max[i]: the lanes that were hit, that are
  * blocked. */

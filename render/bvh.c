@@ -272,6 +272,8 @@ void bvh_set_items(Bvh *b, const BvhItems *items)
 
 const void *bvh_item(const Bvh *b, uint32_t i) { return b->wide ? bvh_wide_item(b->wide, i) : NULL; }
 
+const WideBvh *bvh_wide_of(const Bvh *b) { return b->wide; }
+
 Box bvh_bounds(const Bvh *b) { return b->bounds; }
 uint32_t bvh_node_count(const Bvh *b) { return b->n_nodes; }
 uint32_t bvh_item_count(const Bvh *b) { return b->n_items; }

@@ -9,15 +9,11 @@
  * tree. */
 #include "render/bvh_wide.h"
 
+#include "render/bvh_walk.h"
 #include "render/pencil.h"
-#include "render/simd.h"
 
-#define WIDTH WIDE_WIDTH
-#define IS_ITEM WIDE_IS_ITEM
 #define ROOM_AHEAD 64    /* beyond so many that wait, no node is opened ahead of its turn */
-/* Trees are no deeper than the binary tree, and one within: 64 each. */
-#define STACK_SIZE (2 * 64 * (WIDTH - 1) + WIDTH + ROOM_AHEAD + WIDTH)
-#define TINY 0x1p-60
+#define STACK_SIZE (WIDE_MOST_WAITING + ROOM_AHEAD + WIDTH)
 
 /* What is behind the first of a node's items stands for all. */
 static void set_behind(WideNode *n, const void *const behind[])
@@ -40,10 +36,6 @@ const void *bvh_wide_item(const WideBvh *w, uint32_t i) { return w->items ? w->i
 uint32_t bvh_wide_node_count(const WideBvh *w) { return w->n_nodes; }
 
 /* ---- traversal ---- */
-
-/* An origin that is no farther away than NEAR times the tree's coordinates stays where it is: the boxes then swell by NEAR
- * 2^-21 of those. */
-#define NEAR 16
 
 /* Where the ray enters the tree; false: it does not, before t_max. */
 static bool find_start(const WideBvh *b, const Ray *r, double t_max, double *start)
@@ -74,19 +66,12 @@ static bool is_same_ray(const Ray *a, const Ray *b)
     return vec_is_same(a->origin, b->origin) && vec_is_same(a->dir, b->dir) && a->t_min == b->t_min;
 }
 
-static bool contains(const Box *a, const Box *b)
-{
-    bool is_within = true;
-    for (int k = 0; k < 3; k++) is_within = is_within && a->lo[k] <= b->lo[k] && a->hi[k] >= b->hi[k];
-    return is_within;
-}
-
 /* Makes t->wide the ray for this tree; false: it does not meet the tree's bounds before t_max. */
 static bool use_wide_ray(const WideBvh *b, const Ray *r, double t_max, Trace *t)
 {
     WideRay *w = &t->wide;
     double start;
-    if (is_same_ray(&w->ray, r) && contains(&w->bounds, &b->bounds)) return true;
+    if (is_same_ray(&w->ray, r) && is_within(&b->bounds, &w->bounds)) return true;
     if (!find_start(b, r, t_max, &start)) return false;
     w->ray = *r, w->bounds = b->bounds;
     w->slabs.start = start, w->slabs.scale = vec_max_abs(r->dir);
@@ -98,45 +83,6 @@ static bool use_wide_ray(const WideBvh *b, const Ray *r, double t_max, Trace *t)
 
 typedef struct { uint32_t child; float t; } Waiting;
 
-ALWAYS_INLINE V8f v8_max(V8f a, V8f b)
-{
-    V8f out;
-    for (int i = 0; i < WIDTH; i++) out[i] = a[i] > b[i] ? a[i] : b[i];
-    return out;
-}
-
-ALWAYS_INLINE V8f v8_min(V8f a, V8f b)
-{
-    V8f out;
-    for (int i = 0; i < WIDTH; i++) out[i] = a[i] < b[i] ? a[i] : b[i];
-    return out;
-}
-
-/* ---- what comes from memory ahead ---- */
-
-ALWAYS_INLINE void fetch(const char *from, size_t size)
-{
-    for (size_t at = 0; at < size; at += 64) __builtin_prefetch(from + at);
-}
-
-/* Children that wait on the stack, a bit for each, and all that is read of them later: in a large tree that is what takes
- * the time. None of it has to be read to know where the rest lies. */
-ALWAYS_INLINE void fetch_children(const WideBvh *b, const WideNode *n, unsigned which)
-{
-    bool has_items = false;
-    for (; which != 0; which &= which - 1) {
-        uint32_t child = n->child[__builtin_ctz(which)], i = child & ~IS_ITEM;
-        if (child & IS_ITEM) {
-            has_items = true;
-            if (b->items) fetch(b->items + i * b->item_size, b->item_size);
-            if (n->items) fetch((const char *)(n->items + i * b->lent_size), b->lent_size);
-        } else {
-            fetch((const char *)&b->nodes[i], sizeof(WideNode));
-        }
-    }
-    if (has_items && n->behind) fetch(n->behind, b->behind_size);
-}
-
 /* ---- a node ---- */
 
 /* Children of n that the ray meets in [t_min, t_max], the nearest last; or the farthest last, where any hit will do: what is
@@ -144,15 +90,9 @@ ALWAYS_INLINE void fetch_children(const WideBvh *b, const WideNode *n, unsigned 
 ALWAYS_INLINE int meet_children(const WideBvh *b, const WideNode *n, const Slabs *r, float t_min, float t_max,
                                 bool nearest_first, bool ahead, Waiting *out)
 {
-    V8f near = v8f_splat(t_min), far = v8f_splat(t_max);
-    for (int k = 0; k < 3; k++) {
-        V8f inverse = v8f_splat(r->inverse[k]);
-        near = v8_max(v8f_load(n->side[r->near_side[k]][k]) * inverse + v8f_splat(r->near_shift[k]), near);
-        far = v8_min(v8f_load(n->side[!r->near_side[k]][k]) * inverse + v8f_splat(r->far_shift[k]), far);
-    }
     int n_met = 0;
-    /* a ray of no numbers would meet children that do not exist */
-    unsigned met = v8_mask(__builtin_convertvector(near <= far, V8c)) & n->exists;
+    V8f near;
+    unsigned met = meet_boxes(n, r, t_min, t_max, &near);
     if (ahead) fetch_children(b, n, met);
     for (; met != 0; met &= met - 1) {
         int i = __builtin_ctz(met), at = n_met++;
@@ -170,12 +110,6 @@ static bool visit_single(const WideBvh *b, const Ray *r, double *t_max, BvhVisit
     double t_enter;
     return box_hit(&b->bounds, &box, r->t_min, *t_max, &t_enter) && visit(context, b->single, r, t_max, t);
 }
-
-/* Floats beyond x, by more than it is rounded. Which way that is no branch could foretell. */
-#define BEYOND 0x1p-22
-#define LEAST_BEYOND 0x1p-126
-ALWAYS_INLINE float float_above(double x) { return (float)(x + (fabs(x) * BEYOND + LEAST_BEYOND)); }
-ALWAYS_INLINE float float_below(double x) { return (float)(x - (fabs(x) * BEYOND + LEAST_BEYOND)); }
 
 ALWAYS_INLINE float limit_of(const Slabs *s, double t_max) { return float_above((t_max - s->start) * s->scale); }
 

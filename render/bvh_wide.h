@@ -1,4 +1,5 @@
-/* A tree of boxes with eight children a node, tested together: what BVH_SAH builds are traversed as. Used by bvh.c alone. */
+/* A tree of boxes with eight children a node, tested together: what BVH_SAH builds are traversed as. Used by bvh.c,
+ * and by bvh_bunch.c. */
 #ifndef TRIMRAY_BVH_WIDE_H
 #define TRIMRAY_BVH_WIDE_H
 
@@ -16,6 +17,7 @@ WideBvh *bvh_wide_join(Arena *a, const BvhNode *nodes, uint32_t n, const uint32_
 void bvh_wide_set_items(WideBvh *w, const BvhItems *items);              /* as bvh_set_items */
 const void *bvh_wide_item(const WideBvh *w, uint32_t i);
 uint32_t bvh_wide_node_count(const WideBvh *w);
+const WideBvh *bvh_wide_of(const Bvh *b);                                /* NULL: there is nothing in it, or it is binary */
 bool bvh_wide_any(const WideBvh *w, const Ray *r, double t_max, BvhVisit visit, void *context, Trace *t);
 bool bvh_wide_traverse(const WideBvh *w, const Ray *r, double *t_max, BvhVisit visit, void *context, Trace *t);
 

@@ -91,6 +91,23 @@ Ray camera_ray(const Camera *c, double x, double y, int w, int h)
     return (Ray){ c->location, vec_normalize(vec_add(c->direction, across)), 0 };
 }
 
+EVERY_X86
+void camera_rays(const Camera *c, const Vec2 at[], int n, int w, int h, RayBunch *out)
+{
+    const void *place[BUNCH_WIDTH];
+    for (int i = 0; i < BUNCH_WIDTH; i++) place[i] = &at[int_min(i, n - 1)];
+    V8d x = v8d_gather(place, offsetof(Vec2, x)), y = v8d_gather(place, offsetof(Vec2, y));
+    V8d u = (x + .5) / w - .5, v = .5 - (y + .5) / h;
+    Vec3x8 across = vec8_add(vec8_scale(vec8_splat(c->right), u), vec8_scale(vec8_splat(c->up), v));
+    Vec3x8 location = vec8_splat(c->location), direction = vec8_splat(c->direction);
+    bool is_orthographic = c->kind == CAMERA_ORTHOGRAPHIC;
+    out->n = n;
+    out->origin = is_orthographic ? vec8_add(location, across) : location;
+    out->dir = vec8_normalize(is_orthographic ? direction : vec8_add(direction, across));
+    out->t_min = v8d_splat(0);
+    bunch_set_rays(out);
+}
+
 Viewpoint camera_viewpoint(const Camera *c, double n)
 {
     double solid_angle = vec_length(vec_cross(c->right, c->up)) / vec_length2(c->direction);

@@ -3,7 +3,7 @@
 #define TRIMRAY_CAMERA_H
 
 #include "render/apex.h"
-#include "render/ray.h"
+#include "render/bunch.h"
 #include "render/xform.h"
 
 #include <stdbool.h>
@@ -37,6 +37,9 @@ CameraStatus camera_make(const CameraDesc *desc, Camera *out);
 /* The ray through (x, y) of a w by h image: pixel centres are at integers, (0, 0) is the top left pixel. dir is unit,
  * t_min 0. */
 Ray camera_ray(const Camera *c, double x, double y, int w, int h);
+
+/* The same for n of them, 1 to BUNCH_WIDTH: sets all of the bunch but its `lane`. */
+void camera_rays(const Camera *c, const Vec2 at[], int n, int w, int h, RayBunch *out);
 
 /* Of a picture of n pixels; an orthographic camera is taken for a perspective one. */
 Viewpoint camera_viewpoint(const Camera *c, double n);

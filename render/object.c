@@ -3,6 +3,7 @@
  * itself to the hit's chain. What a hit looks like is found along that chain, innermost first. */
 #include "render/object.h"
 
+#include "render/bunch.h"
 #include "render/hit_list.h"
 #include "render/shapes.h"
 
@@ -63,55 +64,108 @@ static void pass(const Object *o, const Ray *r, const Ray *within, Hit *h)
     h->objects[h->n_objects++] = o;
 }
 
-/* A ray within an object, and the apex that it has there in place of the one outside. */
-typedef struct {
-    const Ray *ray;
-    Apex *outside;
-    Ray ray_room;
-    Apex apex_room;
-} Within;
+/* The apex within an object in place of the one outside. */
+typedef struct { Apex *outside, room; } WithinApex;
 
-static void enter(const Object *o, const Ray *r, Within *w, Trace *t)
+static void enter(const Object *o, WithinApex *w, Trace *t)
 {
-    w->ray = ray_within(o, r, &w->ray_room);
     w->outside = t->apex;
     if (!t->apex || !o->is_placed) return;
-    w->apex_room = apex_within(t->apex, &o->placement);
-    t->apex = &w->apex_room;
+    w->room = apex_within(t->apex, &o->placement);
+    t->apex = &w->room;
 }
 
-static void leave(const Within *w, Trace *t) { t->apex = w->outside; }
+static void leave(const WithinApex *w, Trace *t) { t->apex = w->outside; }
 
 static bool object_hit(const Shape *shape, const Ray *r, Hit *best, Trace *t)
 {
     const Object *o = (const Object *)shape;
-    Within w;
-    enter(o, r, &w, t);
-    bool is_hit = shape_hit(o->child, w.ray, best, t);
+    Ray room;
+    const Ray *within = ray_within(o, r, &room);
+    WithinApex w;
+    enter(o, &w, t);
+    bool is_hit = shape_hit(o->child, within, best, t);
     leave(&w, t);
-    if (is_hit) pass(o, r, w.ray, best);
+    if (is_hit) pass(o, r, within, best);
     return is_hit;
 }
 
 static void object_all_hits(const Shape *shape, const Ray *r, HitList *out, Trace *t)
 {
     const Object *o = (const Object *)shape;
-    Within w;
+    Ray room;
+    const Ray *within = ray_within(o, r, &room);
+    WithinApex w;
     size_t first = out->n;
-    enter(o, r, &w, t);
-    shape_all_hits(o->child, w.ray, out, t);
+    enter(o, &w, t);
+    shape_all_hits(o->child, within, out, t);
     leave(&w, t);
-    for (size_t i = first; i < out->n; i++) pass(o, r, w.ray, &out->hits[i]);
+    for (size_t i = first; i < out->n; i++) pass(o, r, within, &out->hits[i]);
 }
 
 static bool object_blocks(const Shape *shape, const Ray *r, double t_max, Trace *t)
 {
     const Object *o = (const Object *)shape;
-    Within w;
-    enter(o, r, &w, t);
-    bool blocks = shape_blocks(o->child, w.ray, t_max, t);
+    Ray room;
+    WithinApex w;
+    enter(o, &w, t);
+    bool blocks = shape_blocks(o->child, ray_within(o, r, &room), t_max, t);
     leave(&w, t);
     return blocks;
+}
+
+/* ---- bunches ---- */
+
+/* As affine_vector, to the last bit. */
+ALWAYS_INLINE void vectors_within(const Affine *a, const Vec3x8 *v, Vec3x8 *out)
+{
+    out->x = v->x * a->m[0][0] + v->y * a->m[1][0] + v->z * a->m[2][0];
+    out->y = v->x * a->m[0][1] + v->y * a->m[1][1] + v->z * a->m[2][1];
+    out->z = v->x * a->m[0][2] + v->y * a->m[1][2] + v->z * a->m[2][2];
+}
+
+EVERY_X86
+static void rays_within(const Affine *a, const RayBunch *b, RayBunch *out)
+{
+    out->n = b->n, out->lane = b->lane, out->t_min = b->t_min;
+    vectors_within(a, &b->origin, &out->origin);
+    out->origin.x += a->m[3][0], out->origin.y += a->m[3][1], out->origin.z += a->m[3][2];
+    vectors_within(a, &b->dir, &out->dir);
+    bunch_set_rays(out);
+}
+
+/* b itself, or what it is within o, in `room`. */
+static RayBunch *bunch_within(const Object *o, RayBunch *b, RayBunch *room)
+{
+    if (!o->is_placed) return b;
+    rays_within(&o->placement.backward, b, room);
+    return room;
+}
+
+static Lanes object_hit_bunch(const Shape *shape, RayBunch *b, Lanes lanes, Hit best[], Trace *t)
+{
+    const Object *o = (const Object *)shape;
+    RayBunch room, *within = bunch_within(o, b, &room);
+    WithinApex w;
+    enter(o, &w, t);
+    Lanes hit = shape_hit_bunch(o->child, within, lanes, best, t);
+    leave(&w, t);
+    for (Lanes left = hit; left; ) {
+        int i = lanes_next(&left);
+        pass(o, &b->ray[i], &within->ray[i], &best[i]);
+    }
+    return hit;
+}
+
+static Lanes object_blocks_bunch(const Shape *shape, RayBunch *b, Lanes lanes, const double t_max[], Trace *t)
+{
+    const Object *o = (const Object *)shape;
+    RayBunch room;
+    WithinApex w;
+    enter(o, &w, t);
+    Lanes blocked = shape_blocks_bunch(o->child, bunch_within(o, b, &room), lanes, t_max, t);
+    leave(&w, t);
+    return blocked;
 }
 
 static const Shape *object_bare(const Shape *shape)
@@ -158,7 +212,8 @@ static uint32_t object_parts(const Shape *shape, Shape *const **list)
 
 static const ShapeType object_type = {
     .name = "object", .bounds = object_bounds, .hit = object_hit, .blocks = object_blocks,
-    .lend = object_lend, .took = object_took, .bare = object_bare,
+    .hit_bunch = object_hit_bunch, .blocks_bunch = object_blocks_bunch, .lend = object_lend, .took = object_took,
+    .bare = object_bare,
     .all_hits = object_all_hits, .inside = object_inside, .inside_bounds = object_inside_bounds, .parts = object_parts,
 };
 

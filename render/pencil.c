@@ -362,3 +362,29 @@ const WideNode *pencil_entry(const WideBvh *tree, const Ray *r, double t_max, Tr
     Vec3 way;
     return find_way(slot->pencil, r, t_max, &way) ? entry_towards(slot, way) : &tree->nodes[0];
 }
+
+/* Adds ray i to those that enter by the same node; the number of nodes then. */
+static int add_entry(PencilEntry out[], int n, const WideNode *node, int i)
+{
+    int k = 0;
+    while (k < n && out[k].node != node) k++;
+    if (k == n) out[n++] = (PencilEntry){ node, 0 };
+    out[k].lanes |= 1u << i;
+    return n;
+}
+
+EVERY_X86
+int pencil_entries(const WideBvh *tree, const RayBunch *b, Lanes lanes, const double t_max[], Trace *t,
+                   PencilEntry out[BUNCH_WIDTH])
+{
+    PencilSlot *slot = use_slot(tree, t);
+    int n = 0;
+    while (lanes) {
+        int i = lanes_next(&lanes);
+        Vec3 way;
+        bool is_of_it = find_way(slot->pencil, &b->ray[i], t_max[i], &way);
+        const WideNode *node = is_of_it ? entry_towards(slot, way) : &tree->nodes[0];
+        if (node) n = add_entry(out, n, node, i);
+    }
+    return n;
+}

@@ -2,6 +2,7 @@
  *
  * t = (d - n.o) / (n.dir). Error: the numerator is off by at most 4u (|o| + |d|), which is a distance across the plane; the
  * slope by 3u |dir|, which moves the point by 3u t |dir|; two more roundings move it along the ray by 2u t |dir|. */
+#include "render/bunch.h"
 #include "render/sdl.h"
 #include "render/shapes.h"
 
@@ -35,6 +36,43 @@ static bool plane_blocks(const Shape *shape, const Ray *r, double t_max, Trace *
     return t_hit > r->t_min && t_hit < t_max;
 }
 
+/* ---- bunches: the same operations, to the last bit ---- */
+
+ALWAYS_INLINE V8d dots(Vec3 n, const Vec3x8 *v) { return n.x * v->x + n.y * v->y + n.z * v->z; }
+ALWAYS_INLINE V8d lengths(const Vec3x8 *v) { return v8d_sqrt(v->x * v->x + v->y * v->y + v->z * v->z); }
+
+ALWAYS_INLINE V8d where_met(const Plane *p, const RayBunch *b)
+{
+    return (p->distance - dots(p->normal, &b->origin)) / dots(p->normal, &b->dir);
+}
+
+EVERY_X86
+static Lanes plane_hit_bunch(const Shape *shape, RayBunch *b, Lanes lanes, Hit best[], Trace *t)
+{
+    const Plane *p = (const Plane *)shape;
+    t->counters.primitive_tests += (uint64_t)__builtin_popcount(lanes);
+    V8d t_hit = where_met(p, b);
+    Lanes hit = 0;
+    lanes &= v8l_mask(v8d_less(b->t_min, t_hit));
+    if (!lanes) return 0;
+    V8d t_error = POINT_ERROR * ((lengths(&b->origin) + fabs(p->distance)) / lengths(&b->dir) + t_hit);
+    while (lanes) {
+        int i = lanes_next(&lanes);
+        if (!(t_hit[i] < best[i].t)) continue;
+        hit_set(&best[i], t_hit[i], t_error[i], 0, 0, shape, 0);
+        hit |= 1u << i;
+    }
+    return hit;
+}
+
+EVERY_X86
+static Lanes plane_blocks_bunch(const Shape *shape, RayBunch *b, Lanes lanes, const double t_max[], Trace *t)
+{
+    t->counters.primitive_tests += (uint64_t)__builtin_popcount(lanes);
+    V8d t_hit = where_met((const Plane *)shape, b);
+    return lanes & v8l_mask(v8d_less(b->t_min, t_hit) & v8d_less(t_hit, v8d_load_doubles(t_max)));
+}
+
 /* The plane itself counts as inside, as it does for POV-Ray. */
 static bool plane_inside(const Shape *shape, Vec3 point)
 {
@@ -56,8 +94,8 @@ static void plane_write(const Shape *shape, Sdl *out)
 }
 
 static const ShapeType plane_type = {
-    .name = "plane", .bounds = plane_bounds, .hit = plane_hit, .blocks = plane_blocks, .inside = plane_inside,
-    .attributes = plane_attributes, .write = plane_write,
+    .name = "plane", .bounds = plane_bounds, .hit = plane_hit, .blocks = plane_blocks,
+    .hit_bunch = plane_hit_bunch, .blocks_bunch = plane_blocks_bunch, .inside = plane_inside, .attributes = plane_attributes, .write = plane_write,
 };
 
 Shape *plane_new(Arena *a, Vec3 normal, double distance)

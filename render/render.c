@@ -83,13 +83,21 @@ static uint64_t seed_at(const RenderOptions *o, double x, double y)
 
 typedef struct { const Job *job; Trace *trace; } Sampler;
 
-static Pixel render_sample(void *context, double x, double y)
+static void render_bunch(const Sampler *s, const Vec2 at[], int n, Pixel out[])
 {
-    const Sampler *s = context;
     const RenderOptions *o = s->job->options;
-    s->trace->seed = seed_at(o, x, y);
-    Ray r = camera_ray(&s->job->scene->camera, x, y, o->width, o->height);
-    return shade_camera_ray(s->job->scene, &r, o->quality, s->trace);
+    const Scene *scene = s->job->scene;
+    RayBunch rays;
+    BunchLane lane[BUNCH_WIDTH];
+    camera_rays(&scene->camera, at, n, o->width, o->height, &rays);
+    rays.lane = lane;
+    for (int i = 0; i < n; i++) lane[i] = (BunchLane){ .seed = seed_at(o, at[i].x, at[i].y) };
+    shade_camera_rays(scene, &rays, o->quality, s->trace, out);
+}
+
+static void render_samples(void *context, const Vec2 at[], int n, Pixel out[])
+{
+    for (int i = 0; i < n; i += BUNCH_WIDTH) render_bunch(context, at + i, int_min(n - i, BUNCH_WIDTH), out + i);
 }
 
 static void render_tile(const Job *job, int tile, Trace *t)
@@ -103,7 +111,7 @@ static void render_tile(const Job *job, int tile, Trace *t)
     ArenaMark mark = arena_mark(t->scratch);
     Pixel *found = ARENA_ARRAY(t->scratch, Pixel, n);
     FilmPixel *pixels = ARENA_ARRAY(t->scratch, FilmPixel, n);
-    antialias_block(&o->antialias, x0, y0, x1, y1, render_sample, &sampler, t->scratch, found, across);
+    antialias_block(&o->antialias, x0, y0, x1, y1, render_samples, &sampler, t->scratch, found, across);
     for (size_t i = 0; i < n; i++) pixels[i] = film_pixel(found[i]);
     job->sink(job->sink_context, x0, y0, x1, y1, pixels);
     arena_reset(t->scratch, mark);

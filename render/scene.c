@@ -154,10 +154,12 @@ void scene_release(Scene *s)
     s->tree = NULL;
 }
 
+static unsigned hidden_from(RayKind kind) { return kind == RAY_REFLECTED ? NO_REFLECTION : NO_IMAGE; }
+
 bool scene_hit(const Scene *s, const Ray *r, RayKind kind, Hit *best, Trace *t)
 {
     best->t = INFINITY;
-    return shape_tree_hit(s->tree->shapes, r, kind == RAY_REFLECTED ? NO_REFLECTION : NO_IMAGE, best, t);
+    return shape_tree_hit(s->tree->shapes, r, hidden_from(kind), best, t);
 }
 
 static bool hit_is_opaque(const Scene *s, const Hit *h)
@@ -183,27 +185,18 @@ bool scene_blocks(const Scene *s, const Ray *r, double t_max, bool *may_be_filte
 
 Lanes scene_hit_bunch(const Scene *s, RayBunch *b, RayKind kind, Hit best[], Trace *t)
 {
-    Lanes hit = 0;
-    for (Lanes left = bunch_all(b); left; ) {
-        int i = lanes_next(&left);
-        bunch_begin(b, i, t);
-        if (scene_hit(s, &b->ray[i], kind, &best[i], t)) hit |= 1u << i;
-        bunch_end(b, i, t);
-    }
-    return hit;
+    for (int i = 0; i < b->n; i++) best[i].t = INFINITY;
+    return shape_tree_hit_bunch(s->tree->shapes, b, bunch_all(b), hidden_from(kind), best, t);
 }
 
 Lanes scene_blocks_bunch(const Scene *s, RayBunch *b, Lanes lanes, const double t_max[], Lanes *may_be_filtered, Trace *t)
 {
-    Lanes blocked = 0;
+    for (Lanes left = lanes; left; ) b->lane[lanes_next(&left)].left_out = 0;
+    Lanes blocked = shape_tree_blocks_bunch(s->tree->shapes, b, lanes, NOT_SURELY_OPAQUE, t_max, t);
     *may_be_filtered = 0;
-    while (lanes) {
-        int i = lanes_next(&lanes);
-        bool may_be;
-        bunch_begin(b, i, t);
-        if (scene_blocks(s, &b->ray[i], t_max[i], &may_be, t)) blocked |= 1u << i;
-        if (may_be) *may_be_filtered |= 1u << i;
-        bunch_end(b, i, t);
+    for (Lanes left = lanes; left; ) {
+        int i = lanes_next(&left);
+        if (b->lane[i].left_out & MAY_FILTER) *may_be_filtered |= 1u << i;
     }
     return blocked;
 }

@@ -2,17 +2,13 @@
  * what shines through the last one; what each layer mirrors. */
 #include "render/shade.h"
 
-#include "render/finish.h"
-#include "render/media.h"
-#include "render/shadow.h"
+#include "render/gather.h"
 #include "render/sky.h"
-#include "render/surface.h"
 
-/* The lowest quality (+Q) at which each thing is done. */
-enum { Q_LIGHT = 2, Q_SHADOWS = 4, Q_AREA_LIGHTS = 5, Q_TRANSMISSION = 6, Q_REFLECTION = 8, Q_FOG = 9 };
+/* The lowest quality (+Q) at which each thing is done; more is in gather.c. */
+enum { Q_LIGHT = 2, Q_TRANSMISSION = 6, Q_REFLECTION = 8, Q_FOG = 9 };
 
-/* POV-Ray: a light this far round the horizon (cosine) gives nothing; directions this near are not bent (|k - 1|). */
-static const double GRAZING_LIGHT = 1e-10;
+/* POV-Ray: directions this near are not bent (|k - 1|). */
 static const double NO_BEND = 1e-10;
 
 /* Everything that the rays of one camera ray share. */
@@ -21,7 +17,6 @@ typedef struct {
     Trace *trace;
     int quality;
     Surroundings around;
-    Apex camera;                 /* where camera rays begin */
 } Tracer;
 
 /* How a ray came about. */
@@ -34,109 +29,20 @@ typedef struct {
     const Medium *media;
 } Path;
 
-typedef struct {
-    const Finish *finish;
-    Rgb pigment;
-    Rgb weight;                  /* of its light: what the layers above let through */
-    double opacity;
-    Rgb reflectivity;
-    Rgb diffuse, shine;          /* gathered light: what the pigment scatters, what it does not colour */
-} LayerAt;
-
 enum { FEW_LAYERS = 2 };         /* so many are seen without asking for memory */
+
+/* The layers of a texture at a surface, between their being walked and the light on them being gathered. */
+typedef struct {
+    Tracer *tracer;
+    const Path *path;
+    Rgb through;                 /* what is left for what lies behind them all */
+    Gathering light;
+    LayerAt few[FEW_LAYERS];
+} Shading;
 
 static Pixel trace_ray(Tracer *x, Ray *r, const Path *path);
 
 static Rgb pixel_rgb(Pixel p) { return rgb(p.r, p.g, p.b); }
-
-/* ---- light on a surface ---- */
-
-static bool answers_light(const LayerAt *layers, int n)
-{
-    for (int i = 0; i < n; i++) {
-        const Finish *f = layers[i].finish;
-        if (f->diffuse > 0 || f->diffuse_back > 0 || finish_shines(f)) return true;
-    }
-    return false;
-}
-
-static bool any_lit_from_behind(const LayerAt *layers, int n)
-{
-    for (int i = 0; i < n; i++)
-        if (layers[i].finish->diffuse_back > 0) return true;
-    return false;
-}
-
-static bool is_double_illuminated(const Hit *h)
-{
-    for (int i = 0; i < h->n_objects; i++)
-        if (h->objects[i]->double_illuminate) return true;
-    return false;
-}
-
-/* Light of one colour from one direction, on all layers. */
-static void gather_from(const Surface *at, LayerAt *layers, int n, const Light *l, const LightAt *lit)
-{
-    double cosine = vec_dot(at->normal, lit->direction);
-    bool is_facing = cosine >= GRAZING_LIGHT, is_back = !is_facing && !is_double_illuminated(at->hit);
-    bool has_highlights = is_facing && !l->is_shadowless;
-    for (int i = 0; i < n; i++) {
-        LayerAt *on = &layers[i];
-        const Finish *f = on->finish;
-        on->diffuse = rgb_add(on->diffuse, rgb_scale(lit->color, finish_diffuse(f, cosine, is_back)));
-        if (has_highlights && finish_shines(f))
-            on->shine = rgb_add(on->shine, finish_highlights(f, on->pigment, at->normal, at->ray->dir, lit->direction,
-                                                             lit->color));
-    }
-}
-
-/* `area_illumination`: every sample shines for itself, all with the one shadow. */
-static void gather_from_area(const Surface *at, LayerAt *layers, int n, const Light *l, Rgb shadow)
-{
-    double share = 1. / ((double)l->area_n_u * l->area_n_v);
-    for (int j = 0; j < l->area_n_v; j++)
-        for (int i = 0; i < l->area_n_u; i++) {
-            LightAt lit = light_at(l, shadow_area_sample(l, at->point, i, j), at->point);
-            lit.color = rgb_scale(rgb_mul(lit.color, shadow), share);
-            gather_from(at, layers, n, l, &lit);
-        }
-}
-
-static Rgb quotient(Rgb a, Rgb b)
-{
-    return rgb(b.r != 0 ? a.r / b.r : 0, b.g != 0 ? a.g / b.g : 0, b.b != 0 ? a.b / b.b : 0);
-}
-
-static void gather(const Shadow *shadow, LayerAt *layers, int n, const Light *l, int quality)
-{
-    const Surface *at = shadow->at;
-    bool is_spread = !l->is_plain && l->is_area && l->area_illumination && quality >= Q_AREA_LIGHTS;
-    LightAt lit = light_at(l, l->position, at->point);
-    bool is_facing = vec_dot(at->normal, lit.direction) >= GRAZING_LIGHT;
-    if (!is_facing && !is_spread && !any_lit_from_behind(layers, n) && !is_double_illuminated(at->hit)) return;
-    Rgb unblocked = lit.color;
-    if (quality >= Q_SHADOWS && !shadow_light(shadow, l, &lit)) return;
-    if (is_spread) gather_from_area(at, layers, n, l, quotient(lit.color, unblocked));
-    else gather_from(at, layers, n, l, &lit);
-}
-
-static void gather_from_all(Tracer *x, const Surface *at, LayerAt *layers, int n, const Path *path)
-{
-    if (!answers_light(layers, n)) return;
-    Shadow shadow = { at, path->media, &x->around, x->quality >= Q_AREA_LIGHTS, path->kind == RAY_CAMERA, x->trace };
-    for (size_t i = 0; i < x->scene->n_lights; i++) gather(&shadow, layers, n, &x->scene->lights[i], x->quality);
-}
-
-static Rgb gathered(const LayerAt *layers, int n)
-{
-    Rgb sum = rgb(0, 0, 0);
-    for (int i = 0; i < n; i++) {
-        const LayerAt *l = &layers[i];
-        Rgb light = rgb_add(rgb_mul(rgb_scale(l->pigment, l->opacity), l->diffuse), l->shine);
-        sum = rgb_add(sum, rgb_mul(l->weight, light));
-    }
-    return sum;
-}
 
 /* ---- layers ---- */
 
@@ -270,29 +176,56 @@ static Pixel flat_color(const Surface *at)
     return (Pixel){ c.r, c.g, c.b, 0 };
 }
 
+/* at->texture has layers, and light is wanted. */
+static void walk_texture(Shading *k, Tracer *x, const Surface *at, const Path *path)
+{
+    int n = at->texture->n_layers;
+    k->tracer = x, k->path = path;
+    k->light.layers = n > FEW_LAYERS ? ARENA_ARRAY(x->trace->scratch, LayerAt, n) : k->few;
+    k->light.n = walk_layers(x, at, path->media, k->light.layers, &k->through);
+    k->light.shadow = (Shadow){ at, path->media, &x->around, false, path->kind == RAY_CAMERA, x->trace };
+}
+
+/* What is seen, once light has been gathered. */
+static Pixel finish_texture(Shading *k)
+{
+    Tracer *x = k->tracer;
+    const Surface *at = k->light.shadow.at;
+    Rgb sum = gathered_light(&k->light);
+    if (!x->scene->needs_secondary_rays) return (Pixel){ sum.r, sum.g, sum.b, 0 };
+    Pixel behind = { 0 };
+    double transmit = transmit_of(k->through);
+    bool is_total = false;
+    if (x->quality >= Q_TRANSMISSION && transmit > x->scene->adc_bailout) {
+        behind = trace_through(x, at, k->path, k->through, &is_total);
+        sum = rgb_add(sum, is_total ? pixel_rgb(behind) : rgb_mul(pixel_rgb(behind), k->through));
+    }
+    if (x->quality >= Q_REFLECTION && !is_total)
+        sum = rgb_add(sum, reflections(x, at, k->light.layers, k->light.n, k->path));
+    return (Pixel){ sum.r, sum.g, sum.b, is_total ? 0 : behind.transmit * transmit };
+}
+
 static Pixel shade_map(Tracer *x, const Surface *at, const Path *path);
+
+/* Is light all that its look depends on, for now? */
+static bool is_lit(const Tracer *x, const Surface *at)
+{
+    return !at->texture->map && at->texture->n_layers > 0 && x->quality >= Q_LIGHT;
+}
+
+static Pixel shade_unlit(Tracer *x, const Surface *at, const Path *path)
+{
+    if (at->texture->map) return shade_map(x, at, path);
+    return at->texture->n_layers == 0 ? (Pixel){ 0 } : flat_color(at);
+}
 
 static Pixel shade_texture(Tracer *x, const Surface *at, const Path *path)
 {
-    if (at->texture->map) return shade_map(x, at, path);
-    if (at->texture->n_layers == 0) return (Pixel){ 0 };
-    if (x->quality < Q_LIGHT) return flat_color(at);
-    Rgb through;
-    LayerAt few[FEW_LAYERS], *layers = few;
-    if (at->texture->n_layers > FEW_LAYERS) layers = ARENA_ARRAY(x->trace->scratch, LayerAt, at->texture->n_layers);
-    int n = walk_layers(x, at, path->media, layers, &through);
-    gather_from_all(x, at, layers, n, path);
-    Rgb sum = gathered(layers, n);
-    if (!x->scene->needs_secondary_rays) return (Pixel){ sum.r, sum.g, sum.b, 0 };
-    Pixel behind = { 0 };
-    double transmit = transmit_of(through);
-    bool is_total = false;
-    if (x->quality >= Q_TRANSMISSION && transmit > x->scene->adc_bailout) {
-        behind = trace_through(x, at, path, through, &is_total);
-        sum = rgb_add(sum, is_total ? pixel_rgb(behind) : rgb_mul(pixel_rgb(behind), through));
-    }
-    if (x->quality >= Q_REFLECTION && !is_total) sum = rgb_add(sum, reflections(x, at, layers, n, path));
-    return (Pixel){ sum.r, sum.g, sum.b, is_total ? 0 : behind.transmit * transmit };
+    if (!is_lit(x, at)) return shade_unlit(x, at, path);
+    Shading k;
+    walk_texture(&k, x, at, path);
+    gather_light(&k.light, x->quality);
+    return finish_texture(&k);
 }
 
 /* Between two entries of its map a texture is both of them, each lit, mirroring and letting through for itself. */
@@ -318,19 +251,9 @@ static Pixel shade_hit(Tracer *x, const Ray *r, const Hit *h, const Path *path)
     return shade_texture(x, &at, path);
 }
 
-static bool hit_of_camera(Tracer *x, const Ray *r, Hit *h)
-{
-    bool has_apex = x->trace->pencils && x->scene->camera.kind == CAMERA_PERSPECTIVE;
-    x->trace->apex = has_apex ? &x->camera : NULL;
-    bool is_hit = scene_hit(x->scene, r, RAY_CAMERA, h, x->trace);
-    x->trace->apex = NULL;
-    return is_hit;
-}
-
 /* The nearest hit. What lies nearer than its own error may be the surface that the ray has just left: the next counts. */
 static bool nearest_hit(Tracer *x, Ray *r, const Path *path, Hit *h)
 {
-    if (path->kind == RAY_CAMERA) return hit_of_camera(x, r, h);
     for (;;) {
         if (!scene_hit(x->scene, r, path->was_reflected ? RAY_REFLECTED : RAY_CAMERA, h, x->trace)) return false;
         if (!(h->t <= h->t_error)) return true;
@@ -340,12 +263,18 @@ static bool nearest_hit(Tracer *x, Ray *r, const Path *path, Hit *h)
 
 static void count_ray(Counters *c, RayKind kind)
 {
-    if (kind == RAY_CAMERA) c->camera_rays++;
     if (kind == RAY_REFLECTED) c->reflected_rays++;
     if (kind == RAY_TRANSMITTED) c->transmitted_rays++;
 }
 
-/* Moves r's beginning past the surface that it has left.
+static Pixel through_fog(Tracer *x, const Ray *r, double t, const Path *path, Pixel seen)
+{
+    const Scene *s = x->scene;
+    bool has_fog = s->n_fogs > 0 && x->quality >= Q_FOG && media_let_fog_in(media_known(&x->around, path->media));
+    return has_fog ? sky_through_fog(s, r, t, seen) : seen;
+}
+
+/* Of a secondary ray. Moves r's beginning past the surface that it has left.
  *
  * POV-Ray does not count a ray that goes straight on as a level, but does not let it begin at the last one either. */
 static Pixel trace_ray(Tracer *x, Ray *r, const Path *path)
@@ -355,17 +284,84 @@ static Pixel trace_ray(Tracer *x, Ray *r, const Path *path)
     count_ray(&x->trace->counters, path->kind);
     Hit h;
     bool is_hit = nearest_hit(x, r, path, &h);
-    Pixel seen = is_hit ? shade_hit(x, r, &h, path) : sky_color(s, r->dir);
-    bool has_fog = s->n_fogs > 0 && x->quality >= Q_FOG && media_let_fog_in(media_known(&x->around, path->media));
-    return has_fog ? sky_through_fog(s, r, h.t, seen) : seen;
+    return through_fog(x, r, h.t, path, is_hit ? shade_hit(x, r, &h, path) : sky_color(s, r->dir));
 }
 
-Pixel shade_camera_ray(const Scene *s, Ray *r, int quality, Trace *t)
+/* ---- camera rays ---- */
+
+static const Path FROM_CAMERA = { .weight = 1, .kind = RAY_CAMERA, .media = MEDIA_OF_CAMERA };
+
+/* Neighbouring camera rays, and what is found of each on the way. */
+typedef struct {
+    RayBunch *rays;
+    Tracer tracer[BUNCH_WIDTH];
+    Hit hit[BUNCH_WIDTH];
+    Surface at[BUNCH_WIDTH];
+    Shading shading[BUNCH_WIDTH];
+} CameraBunch;
+
+static Lanes hit_of_camera(const Scene *s, CameraBunch *k, Trace *t)
 {
+    Apex camera = apex_make(k->rays->ray[0].origin);
+    t->apex = t->pencils && s->camera.kind == CAMERA_PERSPECTIVE ? &camera : NULL;
+    Lanes hit = scene_hit_bunch(s, k->rays, RAY_CAMERA, k->hit, t);
+    t->apex = NULL;
+    return hit;
+}
+
+/* What can be seen without light is; the lanes that wait for it. */
+static Lanes look_at_surfaces(CameraBunch *k, Lanes hit, Pixel out[])
+{
+    Lanes lit = 0;
+    for (int i = 0; i < k->rays->n; i++) {
+        Tracer *x = &k->tracer[i];
+        const Ray *r = &k->rays->ray[i];
+        if (!(hit >> i & 1)) {
+            out[i] = sky_color(x->scene, r->dir);
+            continue;
+        }
+        surface_at(x->scene, r, &k->hit[i], &k->at[i]);
+        if (is_lit(x, &k->at[i])) {
+            walk_texture(&k->shading[i], x, &k->at[i], &FROM_CAMERA);
+            lit |= 1u << i;
+        } else {
+            bunch_begin(k->rays, i, x->trace);
+            out[i] = shade_unlit(x, &k->at[i], &FROM_CAMERA);
+            bunch_end(k->rays, i, x->trace);
+        }
+    }
+    return lit;
+}
+
+static void shade_lit(CameraBunch *k, Lanes lit, Pixel out[])
+{
+    bool traces = k->tracer[0].scene->needs_secondary_rays;
+    Gathering *of[BUNCH_WIDTH];
+    for (int i = 0; i < k->rays->n; i++) of[i] = &k->shading[i].light;
+    gather_light_bunch(of, lit, k->rays, k->tracer[0].quality);
+    while (lit) {
+        int i = lanes_next(&lit);
+        if (traces) bunch_begin(k->rays, i, k->tracer[i].trace);
+        out[i] = finish_texture(&k->shading[i]);
+        if (traces) bunch_end(k->rays, i, k->tracer[i].trace);
+    }
+}
+
+void shade_camera_rays(const Scene *s, RayBunch *rays, int quality, Trace *t, Pixel out[])
+{
+    int n = rays->n;
+    if (s->max_trace_level <= 0 || s->adc_bailout > FROM_CAMERA.weight) {
+        for (int i = 0; i < n; i++) out[i] = (Pixel){ 0 };
+        return;
+    }
     ArenaMark mark = arena_mark(t->scratch);
-    Tracer x = { s, t, quality, { .scene = s, .scratch = t->scratch, .camera = r->origin }, apex_make(r->origin) };
-    Path path = { 0, false, 1, RAY_CAMERA, false, MEDIA_OF_CAMERA };
-    Pixel seen = trace_ray(&x, r, &path);
+    CameraBunch k;
+    k.rays = rays;
+    for (int i = 0; i < n; i++)
+        k.tracer[i] = (Tracer){ s, t, quality, { .scene = s, .scratch = t->scratch, .camera = rays->ray[i].origin } };
+    t->counters.camera_rays += (uint64_t)n;
+    Lanes lit = look_at_surfaces(&k, hit_of_camera(s, &k, t), out);
+    if (lit) shade_lit(&k, lit, out);
+    for (int i = 0; i < n; i++) out[i] = through_fog(&k.tracer[i], &rays->ray[i], k.hit[i].t, &FROM_CAMERA, out[i]);
     arena_reset(t->scratch, mark);
-    return seen;
 }

@@ -5,7 +5,7 @@
 #include "render/film.h"
 #include "render/scene.h"
 
-/* The colour seen along a camera ray, with quality +Q. */
-Pixel shade_camera_ray(const Scene *s, Ray *r, int quality, Trace *t);
+/* The colours seen along the rays of a bunch, which are neighbours and come from the camera, with quality +Q. */
+void shade_camera_rays(const Scene *s, RayBunch *rays, int quality, Trace *t, Pixel out[]);
 
 #endif

@@ -77,12 +77,21 @@ static Rgb through_filters(const Shadow *q, Ray *r, double t_max, Rgb light)
     return light;
 }
 
+/* From the surface along the unit vector dir, to end at *t_max before `to`; not positive: nothing can stand between. (A
+ * parallel light's plane may be behind the point.) */
+static Ray ray_to_light(const Surface *at, Vec3 dir, Vec3 to, double *t_max)
+{
+    Ray r = { surface_leave(at, dir), dir, 0 };
+    *t_max = surface_stop_before(r.origin, to, vec_dot(vec_sub(to, r.origin), r.dir));
+    return r;
+}
+
 /* What of the light from `to`, at the end of a ray along the unit vector `dir`, arrives. false: nothing. */
 static bool light_from(const Shadow *q, const Vec3 *dir, const Vec3 *to, Rgb *light)
 {
-    Ray r = { surface_leave(q->at, *dir), *dir, 0 };
-    double t_max = surface_stop_before(r.origin, *to, vec_dot(vec_sub(*to, r.origin), r.dir));
-    if (!(t_max > 0)) return true;   /* a parallel light's plane is behind the point: nothing can stand between */
+    double t_max;
+    Ray r = ray_to_light(q->at, *dir, *to, &t_max);
+    if (!(t_max > 0)) return true;
     q->trace->is_shadow_ray = true;
     q->trace->counters.shadow_rays++;
     bool may_be_filtered, is_blocked = scene_blocks(q->around->scene, &r, t_max, &may_be_filtered, q->trace);
@@ -194,4 +203,55 @@ bool shadow_light(const Shadow *q, const Light *l, LightAt *lit)
     if (!light_is_parallel(l)) return light_from_point(q, l, lit);
     Vec3 to = vec_add(q->at->point, vec_scale(lit->direction, lit->distance));
     return light_from(q, &lit->direction, &to, &lit->color);
+}
+
+/* ---- neighbours ---- */
+
+/* ray_to_light for a light's position; sets all of the bunch but n and `lane`. The lanes of those with room for a blocker. */
+EVERY_X86
+static Lanes rays_to_light(const SurfaceLanes *at, const Light *l, const Vec3x8 *dir, RayBunch *out, V8d *t_max)
+{
+    Vec3x8 to = vec8_splat(l->position);
+    V8d cosine = vec8_dot(*dir, at->geometric);
+    V8d offset = v8d_select(v8d_less(cosine, v8d_splat(0)), -at->offset, at->offset);
+    out->origin = vec8_add(at->point, vec8_scale(at->geometric, offset));
+    out->dir = *dir;
+    out->t_min = v8d_splat(0);
+    *t_max = surface_stop_before_8(&out->origin, &to, vec8_dot(vec8_sub(to, out->origin), *dir));
+    bunch_set_rays(out);
+    return v8l_mask(v8d_less(v8d_splat(0), *t_max));
+}
+
+static Lanes blocked_lanes(RayBunch *rays, Lanes lanes, const double t_max[], const Shadow *q, const Light *l,
+                           Lanes *may_be_filtered)
+{
+    Trace *t = q->trace;
+    Apex apex = apex_make(l->position);
+    if (q->has_neighbours && t->pencils) t->apex = &apex;
+    t->blockers.aim = l;
+    t->counters.shadow_rays += (uint64_t)__builtin_popcount(lanes);
+    Lanes blocked = scene_blocks_bunch(q->around->scene, rays, lanes, t_max, may_be_filtered, t);
+    t->apex = NULL;
+    return blocked;
+}
+
+Lanes shadow_light_bunch(const Shadow *const q[], Lanes lanes, const RayBunch *seen_by, const SurfaceLanes *at,
+                         const Light *l, const Vec3x8 *direction, Rgb color[])
+{
+    const Shadow *any = q[__builtin_ctz(lanes)];
+    Trace *t = any->trace;
+    RayBunch rays;
+    V8d t_max;
+    rays.n = seen_by->n, rays.lane = seen_by->lane;
+    Lanes asked = lanes & rays_to_light(at, l, direction, &rays, &t_max), filtered;
+    t->is_shadow_ray = true;
+    Lanes arrives = lanes & ~blocked_lanes(&rays, asked, (const double *)&t_max, any, l, &filtered);
+    for (filtered &= arrives; filtered; ) {
+        int i = lanes_next(&filtered);
+        bunch_begin(&rays, i, t);
+        color[i] = through_filters(q[i], &rays.ray[i], t_max[i], color[i]);
+        bunch_end(&rays, i, t);
+    }
+    t->is_shadow_ray = false;
+    return arrives;
 }

@@ -1,37 +1,8 @@
 /* Finite parts in a BVH, unbounded ones in a list; ties settled by rank. */
 #include "render/shape_tree.h"
 
-#include "render/bvh.h"
 #include "render/hit_list.h"
-
-typedef struct {
-    const Shape *shape;
-    const Shape *bare;         /* what it is to those who only ask whether it blocks */
-    uint32_t first_index;      /* primitives of the parts before it */
-    unsigned char flags;
-    bool has_took;             /* its type has: the shape need not be read for it */
-} Part;
-
-/* What the joined tree has: an item of a part, or the part itself. */
-typedef struct {
-    uint32_t part, item;
-    const void *at;            /* where the part has the item; NULL: not known */
-} Item;
-#define ALL_OF_IT UINT32_MAX
-
-struct ShapeTree {
-    const Part *parts;
-    uint32_t n;
-    unsigned flags;            /* that any of them has */
-    uint32_t lowest_rank;      /* of a part in a tree: unbounded ones may come before all others */
-    Bvh *bvh;                  /* over all parts; the boxes of unbounded ones were given as empty */
-    Bvh *joined;               /* with the trees that parts lend in place of their boxes; NULL: none does */
-    const Item *items;         /* of `joined` */
-    const Bvh *searched;       /* of the two, for one hit or whether there is any; NULL: there is nothing in it */
-    const ShapeType *lender;   /* of all that lend */
-    const uint32_t *unbounded;
-    uint32_t n_unbounded;
-};
+#include "render/shape_tree_parts.h"
 
 /* What stands in a tree for a part with these bounds; empty: they have no end, or there is nothing in them. */
 static Box tree_box(Box bounds) { return box_is_finite(bounds) ? bounds : box_empty(); }
@@ -111,18 +82,6 @@ void shape_tree_join(ShapeTree *tree, const Shape *whole, Arena *a, Trace *t)
     tree->lender = choose_lender(&k);
     if (tree->lender) join(tree, a, &k, scratch);
     arena_free(scratch);
-}
-
-/* What an item of the tree that is searched is: it comes from memory while it is looked at. */
-static Item item_at(const ShapeTree *tree, uint32_t i, const Trace *t)
-{
-    if (!tree->joined) return (Item){ i, ALL_OF_IT, NULL };
-    Item item = tree->items[i];
-    if (t->fetches_ahead) {
-        __builtin_prefetch(&tree->parts[item.part]);
-        if (item.at) __builtin_prefetch(item.at), __builtin_prefetch((const char *)item.at + 64);
-    }
-    return item;
 }
 
 typedef struct {

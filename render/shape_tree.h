@@ -22,5 +22,9 @@ bool shape_tree_hit(const ShapeTree *tree, const Ray *r, unsigned skip, Hit *bes
 void shape_tree_all_hits(const ShapeTree *tree, const Ray *r, HitList *out, Trace *t);   /* of all parts */
 /* Adds to t->left_out the flags of parts that are left out: if nothing blocks, of all whose boxes the ray meets. */
 bool shape_tree_blocks(const ShapeTree *tree, const Ray *r, unsigned skip, double t_max, Trace *t);
+/* The same for rays of a bunch: those that were hit, that are blocked; what is left out is added to lane[i].left_out. */
+Lanes shape_tree_hit_bunch(const ShapeTree *tree, RayBunch *b, Lanes lanes, unsigned skip, Hit best[], Trace *t);
+Lanes shape_tree_blocks_bunch(const ShapeTree *tree, RayBunch *b, Lanes lanes, unsigned skip, const double t_max[],
+                              Trace *t);
 
 #endif

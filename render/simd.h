@@ -59,15 +59,21 @@ ALWAYS_INLINE V8f v8f_splat(float x)
     return (V8f)(V8i){ bits, bits, bits, bits, bits, bits, bits, bits };
 }
 
-/* Bit i: is lane i of the comparison true? Byte i keeps its bit i alone, and the product sums the bytes into the highest. */
-ALWAYS_INLINE unsigned v8_mask(V8c truth)
+/* Lane i as byte i, the least significant first. */
+ALWAYS_INLINE uint64_t v8_bytes(V8c a)
 {
     uint64_t all;
-    memcpy(&all, &truth, sizeof all);
+    memcpy(&all, &a, sizeof all);
 #if __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
     all = __builtin_bswap64(all);
 #endif
-    return (unsigned)((all & 0x8040201008040201u) * 0x0101010101010101u >> 56);
+    return all;
+}
+
+/* Bit i: is lane i of the comparison true? Byte i keeps its bit i alone, and the product sums the bytes into the highest. */
+ALWAYS_INLINE unsigned v8_mask(V8c truth)
+{
+    return (unsigned)((v8_bytes(truth) & 0x8040201008040201u) * 0x0101010101010101u >> 56);
 }
 
 /* ---- eight doubles ----
@@ -102,7 +108,8 @@ ALWAYS_INLINE V8l v8d_less(V8d a, V8d b)
 
 ALWAYS_INLINE V8d v8d_select(V8l truth, V8d a, V8d b) { return (V8d)((truth & (V8l)a) | (~truth & (V8l)b)); }
 
-/* If one is NaN, the result is b, as double_min and double_max have it. */
+/* If one is NaN, the result is b, as double_min and double_max have it. (Here a loop is not always made one instruction, and
+ * the operator is.) */
 ALWAYS_INLINE V8d v8d_min(V8d a, V8d b) { return v8d_select(a < b, a, b); }
 ALWAYS_INLINE V8d v8d_max(V8d a, V8d b) { return v8d_select(a > b, a, b); }
 

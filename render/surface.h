@@ -3,6 +3,7 @@
 #define TRIMRAY_SURFACE_H
 
 #include "render/scene.h"
+#include "render/vec8.h"
 
 typedef struct {
     const Ray *ray;
@@ -30,11 +31,18 @@ static inline Vec3 surface_leave(const Surface *at, Vec3 dir)
  *
  * The end F + d D misses T by at most 8 roundings of a coordinate (u = 2^-53): 5 of T - F and its normalization, 2 of the
  * product and the sum, 1 of d; each of no more than |F_i| + |T_i|. The sum over the coordinates bounds the distance. */
+#define STOP_ROUNDING (8 * 0x1p-53)
 static inline double surface_stop_before(Vec3 from, Vec3 to, double distance)
 {
-    static const double ROUNDING = 8 * 0x1p-53;
     double size = fabs(from.x) + fabs(from.y) + fabs(from.z) + fabs(to.x) + fabs(to.y) + fabs(to.z);
-    return distance - ROUNDING * size;
+    return distance - STOP_ROUNDING * size;
+}
+
+/* The same of eight. */
+ALWAYS_INLINE V8d surface_stop_before_8(const Vec3x8 *from, const Vec3x8 *to, V8d distance)
+{
+    V8d size = v8d_abs(from->x) + v8d_abs(from->y) + v8d_abs(from->z) + v8d_abs(to->x) + v8d_abs(to->y) + v8d_abs(to->z);
+    return distance - STOP_ROUNDING * size;
 }
 
 /* The same place with one of the textures that its own chooses from (texture_choose). */

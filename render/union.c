@@ -35,6 +35,16 @@ static bool union_blocks(const Shape *shape, const Ray *r, double t_max, Trace *
     return shape_tree_blocks(((const Union *)shape)->tree, r, 0, t_max, t);
 }
 
+static Lanes union_hit_bunch(const Shape *shape, RayBunch *b, Lanes lanes, Hit best[], Trace *t)
+{
+    return shape_tree_hit_bunch(((const Union *)shape)->tree, b, lanes, 0, best, t);
+}
+
+static Lanes union_blocks_bunch(const Shape *shape, RayBunch *b, Lanes lanes, const double t_max[], Trace *t)
+{
+    return shape_tree_blocks_bunch(((const Union *)shape)->tree, b, lanes, 0, t_max, t);
+}
+
 static bool union_inside(const Shape *shape, Vec3 p)
 {
     const Union *u = (const Union *)shape;
@@ -68,8 +78,8 @@ static void union_release(Shape *shape) { ((Union *)shape)->tree = NULL; }
 
 static const ShapeType union_type = {
     .name = "union", .bounds = union_bounds, .prepare = union_prepare, .hit = union_hit, .blocks = union_blocks,
-    .all_hits = union_all_hits, .inside = union_inside, .inside_bounds = union_inside_bounds, .parts = union_parts,
-    .with_parts = union_with_parts, .release = union_release,
+    .hit_bunch = union_hit_bunch, .blocks_bunch = union_blocks_bunch, .all_hits = union_all_hits, .inside = union_inside,
+    .inside_bounds = union_inside_bounds, .parts = union_parts, .with_parts = union_with_parts, .release = union_release,
 };
 
 Shape *union_new(Arena *a, Shape *const parts[], uint32_t n)

@@ -116,8 +116,13 @@ static inline Finish mirror(double min, double max)
 static inline Pixel pixel_at(const Scene *s, int x, int y, int n, int quality, Counters *counters)
 {
     Trace t = { .scratch = arena_new() };
-    Ray r = camera_ray(&s->camera, x, y, n, n);
-    Pixel p = shade_camera_ray(s, &r, quality, &t);
+    Vec2 at = vec2(x, y);
+    BunchLane lane = { 0 };
+    RayBunch rays;
+    Pixel p;
+    camera_rays(&s->camera, &at, 1, n, n, &rays);
+    rays.lane = &lane;
+    shade_camera_rays(s, &rays, quality, &t, &p);
     arena_free(t.scratch);
     if (counters) *counters = t.counters;
     return p;

@@ -10,13 +10,15 @@ static Arena *arena;
 typedef struct { double edge_x, edge_y; size_t n_samples; double x[4096], y[4096]; } Picture;
 
 /* White left of and above the edges, else black; remembers where it was asked. */
-static Pixel corner_of_white(void *context, double x, double y)
+static void corner_of_white(void *context, const Vec2 at[], int n, Pixel out[])
 {
     Picture *p = context;
-    p->x[p->n_samples % 4096] = x, p->y[p->n_samples % 4096] = y;
-    p->n_samples++;
-    double c = x < p->edge_x && y < p->edge_y;
-    return (Pixel){ c, c, c, 0 };
+    for (int i = 0; i < n; i++) {
+        p->x[p->n_samples % 4096] = at[i].x, p->y[p->n_samples % 4096] = at[i].y;
+        p->n_samples++;
+        double c = at[i].x < p->edge_x && at[i].y < p->edge_y;
+        out[i] = (Pixel){ c, c, c, 0 };
+    }
 }
 
 static Antialias method(int m, int depth)
@@ -90,12 +92,11 @@ static void the_border_of_a_block_is_not_refined(void **state)
 /* Of a step from black to g the eye sees g^(1/2.5): refined from the threshold of .3 on; with gamma 1 from .3 itself. */
 typedef struct { double value; size_t n_samples; } Step;
 
-static Pixel step(void *context, double x, double y)
+static void step(void *context, const Vec2 at[], int n, Pixel out[])
 {
     Step *s = context;
-    (void)y;
-    s->n_samples++;
-    return (Pixel){ x < 0 ? 0 : s->value, 0, 0, 0 };
+    for (int i = 0; i < n; i++) out[i] = (Pixel){ at[i].x < 0 ? 0 : s->value, 0, 0, 0 };
+    s->n_samples += (size_t)n;
 }
 
 static void colours_are_compared_as_they_look(void **state)

@@ -1,11 +1,12 @@
-/* Eight rays at a tile, and then at its halves, those that it leaves in doubt; alone, where they are few or that leads
- * nowhere. */
+/* Eight rays at a tile, and then at its halves, those that it leaves in doubt; alone, where that leads nowhere, or where the
+ * machine has no registers for eight. What a ray finds does not depend on those beside it. */
 #include "nurbs/certain_bunch.h"
 
 #include "nurbs/certain.h"
+#include "render/bvh_bunch.h"
 
 /* A tile is halved so often for lanes in doubt before they go on alone. */
-enum { MAX_LEVEL = 4 };
+enum { MAX_LEVEL = 6 };
 
 typedef struct {
     RayBunch *b;
@@ -20,6 +21,11 @@ typedef struct { const Tile *part; Lanes lanes; int level; } Doubt;
 
 /* ---- one by one ---- */
 
+static void keep_hit(CertainHits *out, int i, const CertainHit *hit)
+{
+    out->t[i] = hit->t, out->t_error[i] = hit->t_error, out->u[i] = hit->u, out->v[i] = hit->v, out->tile[i] = hit->tile;
+}
+
 static void go_alone(Search *k, const Tile *part, int i)
 {
     const Ray *r = &k->b->ray[i];
@@ -31,9 +37,7 @@ static void go_alone(Search *k, const Tile *part, int i)
     bunch_end(k->b, i, k->trace);
     if (!is_hit) return;
     k->hit |= 1u << i;
-    if (!k->nearest) return;
-    *limit = k->nearest->t[i] = hit.t, k->nearest->t_error[i] = hit.t_error, k->nearest->tile[i] = k->tile;
-    k->nearest->u[i] = hit.u, k->nearest->v[i] = hit.v;
+    if (k->nearest) *limit = hit.t, keep_hit(k->nearest, i, &hit);
 }
 
 /* ---- together ---- */
@@ -93,30 +97,33 @@ ALWAYS_INLINE void take_roots(Search *k, const Tile *part, const Roots *roots, L
     if (k->nearest) take_nearest(k, part, roots, &found, rooted);
 }
 
-/* The lanes that a tile or a part of it leaves in doubt. */
+/* The lanes that a tile or a part of it leaves in doubt; those that its halves cannot help go on alone. */
 ALWAYS_INLINE Lanes solve_part(Search *k, const Tile *part, Lanes lanes)
 {
     Roots roots;
-    Lanes undecided = 0, rooted = tile_roots_bunch(part, k->b, lanes, k->limits, &roots, &undecided, k->trace);
+    LanesLeft left;
+    Lanes rooted = tile_roots_bunch(part, k->b, lanes, k->limits, &roots, &left, k->trace);
     if (rooted) take_roots(k, part, &roots, rooted);
-    return undecided;
+    while (left.alone) go_alone(k, part, lanes_next(&left.alone));
+    return left.in_doubt;
 }
 
 /* A side that is one point has proofs of its own for single rays. */
-ALWAYS_INLINE const Tile *halves_for(const Doubt *d, Lanes lanes)
+static const Tile *halves_for(const Doubt *d)
 {
-    return d->level == MAX_LEVEL || lanes_are_few(lanes) || d->part->patch->collapsed ? NULL : tile_halves(d->part);
+    return d->level == MAX_LEVEL || d->part->patch->collapsed ? NULL : tile_halves(d->part);
 }
 
 EVERY_X86
 static void search_parts(Search *k, const Tile *tile, Lanes lanes)
 {
-    Doubt stack[MAX_LEVEL + 1] = { { tile, lanes, 0 } };
+    bunch_use_frames(k->b);
+    Doubt stack[MAX_LEVEL + 1] = { { tile, lanes & k->b->frames.finite, 0 } };
     for (int top = 1; top > 0; ) {
         Doubt d = stack[--top];
-        if (!k->nearest) d.lanes &= ~k->hit;
-        Lanes left = lanes_are_few(d.lanes) ? d.lanes : solve_part(k, d.part, d.lanes);
-        const Tile *halves = left ? halves_for(&d, left) : NULL;
+        if (!k->nearest && !(d.lanes &= ~k->hit)) continue;
+        Lanes left = solve_part(k, d.part, d.lanes);
+        const Tile *halves = left ? halves_for(&d) : NULL;
         for (int i = 0; i < 2 && halves; i++) stack[top++] = (Doubt){ &halves[i], left, d.level + 1 };
         while (left && !halves) go_alone(k, d.part, lanes_next(&left));
     }
@@ -128,8 +135,8 @@ static Lanes search_tile(Search *k, const Tile *tile, Lanes lanes)
     Counters *count = &k->trace->counters;
     uint64_t n_tests = count->leaf_tests + (uint64_t)__builtin_popcount(lanes);
     double begin = k->trace->measures_time ? stats_now() : 0, counted = count->nurbs_seconds;
-    if (!lanes_are_few(lanes)) bunch_use_frames(k->b), lanes &= k->b->frames.finite;
-    search_parts(k, tile, lanes);
+    if (v8d_is_one_register()) search_parts(k, tile, lanes);
+    else while (lanes) go_alone(k, tile, lanes_next(&lanes));
     count->leaf_tests = n_tests;
     if (k->trace->measures_time) count->nurbs_seconds = counted + stats_now() - begin;
     return k->hit;
@@ -144,4 +151,80 @@ Lanes certain_nearest_on_bunch(const Tile *tile, uint32_t i, RayBunch *b, Lanes 
 Lanes certain_any_on_bunch(const Tile *tile, uint32_t i, RayBunch *b, Lanes lanes, const double t_max[], Trace *t)
 {
     return search_tile(&(Search){ .b = b, .tile = i, .limits = { (double *)t_max, 1 }, .trace = t }, tile, lanes);
+}
+
+/* ---- a whole tree ---- */
+
+/* Boxes about a base of their own: the bunch's rays are not about it. */
+static bool has_own_base(const TileTree *tree) { return vec_max_abs(tree->bvh_base) != 0; }
+
+typedef struct {
+    const TileTree *tree;
+    CertainHits *out;
+    Lanes hit;
+} Walk;
+
+static Lanes nearest_alone(const Walk *w, RayBunch *b, Lanes lanes, double t_max[], Trace *t)
+{
+    Lanes hit = 0;
+    while (lanes) {
+        int i = lanes_next(&lanes);
+        CertainHit h;
+        bunch_begin(b, i, t);
+        if (certain_nearest(w->tree, &b->ray[i], t_max[i], t, &h)) keep_hit(w->out, i, &h), hit |= 1u << i;
+        bunch_end(b, i, t);
+    }
+    return hit;
+}
+
+static Lanes visit_nearest(void *context, uint32_t i, RayBunch *b, Lanes lanes, double t_max[], Trace *t)
+{
+    Walk *w = context;
+    w->hit |= certain_nearest_on_bunch(&w->tree->tiles[i], i, b, lanes, (BunchLimits){ t_max, 1 }, t, w->out);
+    return 0;
+}
+
+Lanes certain_nearest_bunch(const TileTree *tree, RayBunch *b, Lanes lanes, double t_max[], Trace *t, CertainHits *out)
+{
+    Walk w = { tree, out, 0 };
+    if (has_own_base(tree)) return nearest_alone(&w, b, lanes, t_max, t);
+    bvh_traverse_bunch(tree->bvh, b, lanes, t_max, visit_nearest, &w, t);
+    return w.hit;
+}
+
+static Lanes any_alone(const TileTree *tree, RayBunch *b, Lanes lanes, const double t_max[], Trace *t)
+{
+    Lanes blocked = 0;
+    while (lanes) {
+        int i = lanes_next(&lanes);
+        bunch_begin(b, i, t);
+        if (certain_any(tree, &b->ray[i], t_max[i], t)) blocked |= 1u << i;
+        bunch_end(b, i, t);
+    }
+    return blocked;
+}
+
+static Lanes visit_any(void *context, uint32_t i, RayBunch *b, Lanes lanes, double t_max[], Trace *t)
+{
+    const TileTree *tree = context;
+    Lanes blocked = certain_any_on_bunch(&tree->tiles[i], i, b, lanes, t_max, t);
+    if (blocked) blocker_note(&t->blockers, tree, i);
+    return blocked;
+}
+
+static Lanes still_blocked(const TileTree *tree, RayBunch *b, Lanes lanes, const double t_max[], Trace *t)
+{
+    uint32_t i = blocker_recall(&t->blockers, tree);
+    if (i >= tree->n_tiles) return 0;
+    Lanes blocked = certain_any_on_bunch(&tree->tiles[i], i, b, lanes, t_max, t);
+    if (!blocked) blocker_forget(&t->blockers, tree);
+    return blocked;
+}
+
+Lanes certain_any_bunch(const TileTree *tree, RayBunch *b, Lanes lanes, const double t_max[], Trace *t)
+{
+    if (has_own_base(tree)) return any_alone(tree, b, lanes, t_max, t);
+    Lanes blocked = still_blocked(tree, b, lanes, t_max, t);
+    if (lanes & ~blocked) blocked |= bvh_any_bunch(tree->bvh, b, lanes & ~blocked, t_max, visit_any, (void *)tree, t);
+    return blocked;
 }

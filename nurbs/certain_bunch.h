@@ -11,8 +11,8 @@ typedef struct {
     uint32_t tile[BUNCH_WIDTH];
 } CertainHits;
 
-/* The lanes that are hit nearer than their limits, which become the hits' t. */
-Lanes certain_nearest_bunch(const TileTree *tree, RayBunch *b, Lanes lanes, BunchLimits limits, Trace *t, CertainHits *out);
+/* The lanes that are hit nearer than their limits, or t_max, which become the hits' t. */
+Lanes certain_nearest_bunch(const TileTree *tree, RayBunch *b, Lanes lanes, double t_max[], Trace *t, CertainHits *out);
 Lanes certain_nearest_on_bunch(const Tile *tile, uint32_t i, RayBunch *b, Lanes lanes, BunchLimits limits, Trace *t,
                                CertainHits *out);
 

@@ -206,10 +206,6 @@ ALWAYS_INLINE NewtonResult newton(Solve *k, Trace *trace)
     return NEWTON_UNDECIDED;
 }
 
-/* A contraction that a few halvings, each of which takes about half of it, bring below 1. What is beyond has clip.c, which
- * refines across the ray alone. */
-#define WORTH_HALVING 4096
-
 /* ---- where the ray starts ---- */
 
 /* Is the point that the ray may be from on the tile, with its margin? Sets s and t of the tile: exact, s0 being no other

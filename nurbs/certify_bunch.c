@@ -138,15 +138,18 @@ ALWAYS_INLINE V8l passes_parallelogram(Rays *k, V8d det, V8d per_det)
     return v8d_less(column_t2 * slack2, past_x * past_x) | v8d_less(column_s2 * slack2, past_y * past_y);
 }
 
-/* Lanes of one root at most. */
-ALWAYS_INLINE V8l are_certified(Rays *k, V8d det, V8d per_det)
+typedef struct { V8l certified, worth_halving; } Certified;
+
+/* Lanes of one root at most; and others that halving may help. */
+ALWAYS_INLINE Certified certify(Rays *k, V8d det, V8d per_det)
 {
     const Tile *f = k->tile;
     double area = (double)f->sine * f->length_s * f->length_t, turn = f->turn, stretch = f->stretch;
-    V8d along2 = above(area * area - det * det, 0), room = double_max(CONTRACTION - stretch, 0) * det;
+    V8d along2 = above(area * area - det * det, 0), turn2 = along2 * (turn * turn);
+    V8d room = double_max(CONTRACTION - stretch, 0) * det, worth = double_max(WORTH_HALVING - stretch, 0) * det;
     k->gain = M_SQRT2 * f->length_s * f->length_t * v8d_abs(per_det);
     k->contraction = stretch + turn * v8d_sqrt(along2) * v8d_abs(per_det);
-    return v8d_less(along2 * (turn * turn), room * room);
+    return (Certified){ v8d_less(turn2, room * room), v8d_less(turn2, worth * worth) };
 }
 
 /* ---- where the rays start ---- */
@@ -254,9 +257,9 @@ ALWAYS_INLINE V8l are_out_of_reach(const Rays *k, V8d ds, V8d dt)
     return v8d_less(v8d_splat(0), gap) & v8d_less(k->least_step2, step2) & v8d_less(far * far * step2, near * near);
 }
 
-/* The lanes that have not come to an end; those that have found a root; where their last step goes, and that step with bits
- * that s and t have no room for. */
-typedef struct { V8l going, found; V8d s, t, ds, dt; } Iteration;
+/* The lanes that have not come to an end; those that have found a root, and those that the margin holds up on the way to one
+ * that may be there; where their last step goes, and that step with bits that s and t have no room for. */
+typedef struct { V8l going, found, stuck; V8d s, t, ds, dt; } Iteration;
 
 /* One step of the lanes that go on. Those that have found a root stay where they were evaluated, and so does what is known
  * of them: it comes out the same each time. */
@@ -272,19 +275,21 @@ ALWAYS_INLINE void step(Rays *k, Iteration *n, bool is_first)
     n->ds = v8d_select(leaves, s - k->s, ds), n->dt = v8d_select(leaves, t - k->t, dt);
     if (v8l_mask(leaves & n->going)) n->going &= ~(leaves & (prove_miss(k, ds, dt) | prove_miss_by_clamping(k)));
     if (!is_first) n->going &= ~are_out_of_reach(k, ds, dt);
-    n->found |= n->going & v8d_less(v8d_max(v8d_abs(ds), v8d_abs(dt)), v8d_splat(LAST_STEP));
-    n->going &= ~n->found;
+    V8l is_last = n->going & v8d_less(v8d_max(v8d_abs(n->ds), v8d_abs(n->dt)), v8d_splat(LAST_STEP));
+    n->found |= is_last & ~leaves, n->stuck |= is_last & leaves;
+    n->going &= ~is_last;
     k->s = v8d_select(n->going, s, k->s), k->t = v8d_select(n->going, t, k->t);
 }
 
 ALWAYS_INLINE Iteration newton(Rays *k, Lanes lanes, Trace *trace)
 {
-    Iteration n = { .going = v8l_truth(lanes), .found = v8l_truth(0) };
+    Iteration n = { .going = v8l_truth(lanes), .found = v8l_truth(0), .stuck = v8l_truth(0) };
     for (int i = 0; i < MAX_STEPS && lanes; i++) {
         trace->counters.newton_iterations += (uint64_t)__builtin_popcount(lanes);
         step(k, &n, i == 0);
         lanes = v8l_mask(n.going);
     }
+    n.stuck |= n.going;
     return n;
 }
 
@@ -326,15 +331,15 @@ ALWAYS_INLINE Lanes set_roots(const Rays *k, const Iteration *n, Roots *out)
 }
 
 /* Lanes of one root at most, from the parallelogram's. */
-ALWAYS_INLINE Lanes solve(Rays *k, Lanes lanes, Roots *out, Lanes *undecided, Trace *trace)
+ALWAYS_INLINE Lanes solve(Rays *k, Lanes lanes, Roots *out, LanesLeft *left, Trace *trace)
 {
     k->rounding = k->p->rounding + rounding_share(k->p) * (k->p->radius + v8d_sqrt(dot(&k->o, &k->o)));
     set_least_step2(k);
     Iteration n = newton(k, lanes, trace);
-    Lanes found = v8l_mask(n.found), doubt = v8l_mask(n.going) | place_roots(k, &n, &found);
+    Lanes found = v8l_mask(n.found), stuck = v8l_mask(n.stuck), at_border = place_roots(k, &n, &found);
     if (found) found &= set_roots(k, &n, out);
-    *undecided |= doubt;
-    uint64_t n_decided = (uint64_t)__builtin_popcount(lanes & ~doubt);
+    left->in_doubt |= stuck, left->alone |= at_border;
+    uint64_t n_decided = (uint64_t)__builtin_popcount(lanes & ~stuck & ~at_border);
     trace->counters.certificates += n_decided, trace->counters.nurbs_tests += n_decided;
     return found;
 }
@@ -347,12 +352,18 @@ ALWAYS_INLINE void start_from(Rays *k, Lanes from, V8d s, V8d t)
     k->t = v8d_select(is_from, (t - k->part.at.t0) * k->part.per_t, k->t);
 }
 
+ALWAYS_INLINE void leave(Lanes lanes, Lanes worth_halving, LanesLeft *left)
+{
+    left->in_doubt = lanes & worth_halving, left->alone = lanes & ~worth_halving;
+}
+
 EVERY_X86
-Lanes tile_roots_bunch(const Tile *tile, const RayBunch *b, Lanes lanes, BunchLimits limits, Roots *out, Lanes *undecided,
+Lanes tile_roots_bunch(const Tile *tile, const RayBunch *b, Lanes lanes, BunchLimits limits, Roots *out, LanesLeft *left,
                        Trace *trace)
 {
     Rays k = { .tile = tile, .p = tile->patch, .f = &b->frames };
     V8d from_s = v8d_splat(NAN), from_t = from_s;
+    *left = (LanesLeft){ 0, 0 };
     set_up(&k, b, limits);
     lanes &= ~v8l_mask(passes_ball(&k));
     if (!lanes) return 0;
@@ -364,12 +375,13 @@ Lanes tile_roots_bunch(const Tile *tile, const RayBunch *b, Lanes lanes, BunchLi
     Lanes slanted = v8l_mask(v8d_less(v8d_splat(NO_ANGLE * tile->length_s * tile->length_t), det));
     lanes &= ~(slanted & v8l_mask(passes_parallelogram(&k, det, per_det)));
     if (!lanes) return 0;
-    Lanes certified = lanes & slanted & v8l_mask(are_certified(&k, det, per_det));
-    *undecided |= lanes & ~certified;
+    Certified is = certify(&k, det, per_det);
+    Lanes certified = lanes & slanted & v8l_mask(is.certified);
+    if (lanes != certified) leave(lanes & ~certified, slanted & v8l_mask(is.worth_halving), left);
     if (!certified) return 0;
     k.part = kernel_part(tile);
     if (from & certified) start_from(&k, from, from_s, from_t);
-    return solve(&k, certified, out, undecided, trace);
+    return solve(&k, certified, out, left, trace);
 }
 
 Root roots_get(const Roots *roots, int i)

@@ -18,10 +18,12 @@ typedef struct { V8d s, t, depth, depth_error, distance; } Roots;
 /* Makes the frames, unless they are there. */
 void bunch_use_frames(RayBunch *b);
 
-/* The lanes that have a root between t_min and their limits on the closed tile, of which they have one at most. Lanes added
- * to *undecided have none here, and tile_roots must be asked. Lanes must be finite, and frames there. Counts into t what it
- * decides. */
-Lanes tile_roots_bunch(const Tile *tile, const RayBunch *b, Lanes lanes, BunchLimits limits, Roots *out, Lanes *undecided,
+/* Lanes that are left to others: those that the tile's halves may decide, and those that only tile_roots does. */
+typedef struct { Lanes in_doubt, alone; } LanesLeft;
+
+/* The lanes that have a root between t_min and their limits on the closed tile, of which they have one at most; those that
+ * are left are others. Lanes must be finite, and frames there. Counts into t what it decides. */
+Lanes tile_roots_bunch(const Tile *tile, const RayBunch *b, Lanes lanes, BunchLimits limits, Roots *out, LanesLeft *left,
                        Trace *t);
 
 Root roots_get(const Roots *roots, int i);

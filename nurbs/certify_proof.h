@@ -52,4 +52,8 @@ static inline double rounding_at(const Patch *p, double distance)
  * under it vanish. */
 #define NO_ANGLE 0x1p-400
 
+/* A contraction that a few halvings, each of which takes about half of it, bring below 1. What is beyond has clip.c, which
+ * refines across the ray alone. */
+#define WORTH_HALVING 4096
+
 #endif

@@ -97,6 +97,24 @@ static void set_hits(const CertainHits *hits, Lanes hit, const Shape *s, Hit bes
     }
 }
 
+static Lanes certain_shape_hit_bunch(const Shape *s, RayBunch *b, Lanes lanes, Hit best[], Trace *t)
+{
+    CertainHits hits;
+    double t_max[BUNCH_WIDTH] = { 0 };
+    for (Lanes left = lanes; left; ) {
+        int i = lanes_next(&left);
+        t_max[i] = best[i].t;
+    }
+    Lanes hit = certain_nearest_bunch(&((const NurbsShape *)s)->tiles, b, lanes, t_max, t, &hits);
+    set_hits(&hits, hit, s, best);
+    return hit;
+}
+
+static Lanes certain_shape_blocks_bunch(const Shape *s, RayBunch *b, Lanes lanes, const double t_max[], Trace *t)
+{
+    return certain_any_bunch(&((const NurbsShape *)s)->tiles, b, lanes, t_max, t);
+}
+
 static Lanes certain_shape_hit_item_bunch(const void *at, uint32_t item, RayBunch *b, Lanes lanes, Hit best[], Trace *t)
 {
     CertainHits hits;
@@ -131,7 +149,8 @@ static void certain_shape_attributes(const Shape *s, const Ray *r, const Hit *h,
 static const ShapeType certain_type = {
     .name = "trimmed_nurbs", .bounds = nurbs_bounds, .prepare = certain_shape_prepare, .hit = certain_shape_hit,
     .blocks = certain_shape_blocks, .lend = certain_shape_lend, .hit_item = certain_shape_hit_item,
-    .item_blocks = certain_shape_item_blocks, .hit_item_bunch = certain_shape_hit_item_bunch,
+    .item_blocks = certain_shape_item_blocks, .hit_bunch = certain_shape_hit_bunch,
+    .blocks_bunch = certain_shape_blocks_bunch, .hit_item_bunch = certain_shape_hit_item_bunch,
     .item_blocks_bunch = certain_shape_item_blocks_bunch, .all_hits = certain_shape_all_hits,
     .attributes = certain_shape_attributes, .tessellate = nurbs_tessellate,
 };

@@ -4,6 +4,7 @@
 
 #include "render/vec.h"
 
+#include <stdbool.h>
 #include <stdint.h>
 #include <string.h>
 
@@ -84,6 +85,19 @@ typedef double V8dUnaligned __attribute__((vector_size(64), aligned(8), may_alia
 ALWAYS_INLINE V8d v8d_load_doubles(const double *p) { return *(const V8dUnaligned *)p; }
 ALWAYS_INLINE V8d v8d_splat(double x) { return (V8d){ x, x, x, x, x, x, x, x }; }
 
+/* Are they one register where functions are compiled for every machine? Else they lie in memory, and eight lanes take longer
+ * than one after the other. (With sanitizers they go the way that they go without.) */
+static inline bool v8d_is_one_register(void)
+{
+#if defined(TRIMRAY_SANITIZED) || defined(__AVX512F__)
+    return true;
+#elif defined(__x86_64__) && defined(__gnu_linux__) && !defined(__clang__)
+    return __builtin_cpu_supports("x86-64-v4");
+#else
+    return false;
+#endif
+}
+
 /* Lanes are all ones where it is true. */
 ALWAYS_INLINE V8l v8d_less(V8d a, V8d b)
 {
@@ -94,7 +108,8 @@ ALWAYS_INLINE V8l v8d_less(V8d a, V8d b)
 
 ALWAYS_INLINE V8d v8d_select(V8l truth, V8d a, V8d b) { return (V8d)((truth & (V8l)a) | (~truth & (V8l)b)); }
 
-/* If one is NaN, the result is b, as double_min and double_max have it. */
+/* If one is NaN, the result is b, as double_min and double_max have it. (Here a loop is not always made one instruction, and
+ * the operator is.) */
 ALWAYS_INLINE V8d v8d_min(V8d a, V8d b) { return v8d_select(a < b, a, b); }
 ALWAYS_INLINE V8d v8d_max(V8d a, V8d b) { return v8d_select(a > b, a, b); }
 

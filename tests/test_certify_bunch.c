@@ -71,8 +71,9 @@ typedef struct { int n_roots, n_lanes, n_undecided; } Tally;
 static void compare_with_clipping(Fixture *f, const Tile *p, Bunch *k, Lanes lanes, unsigned seed, Tally *tally)
 {
     Roots roots;
-    Lanes undecided = 0;
-    Lanes rooted = tile_roots_bunch(p, &k->b, lanes, (BunchLimits){ k->t_max, 1 }, &roots, &undecided, &f->trace);
+    LanesLeft left_over;
+    Lanes rooted = tile_roots_bunch(p, &k->b, lanes, (BunchLimits){ k->t_max, 1 }, &roots, &left_over, &f->trace);
+    Lanes undecided = left_over.in_doubt | left_over.alone;
     CHECK(!((rooted | undecided) & ~lanes) && !(rooted & undecided), "seed %u", seed);
     for (Lanes left = lanes & ~undecided; left; ) {
         int i = lanes_next(&left);
@@ -146,9 +147,10 @@ static void lanes_through_points_of_the_tile_find_them(void **state)
         bunch_set_lanes(&k.b);
         bunch_use_frames(&k.b);
         Roots roots;
-        Lanes undecided = 0, all = bunch_all(&k.b);
-        Lanes rooted = tile_roots_bunch(p, &k.b, all, (BunchLimits){ k.t_max, 1 }, &roots, &undecided, &f->trace);
-        for (Lanes left = all & ~undecided; left; n_decided++) {
+        LanesLeft over;
+        Lanes all = bunch_all(&k.b);
+        Lanes rooted = tile_roots_bunch(p, &k.b, all, (BunchLimits){ k.t_max, 1 }, &roots, &over, &f->trace);
+        for (Lanes left = all & ~over.in_doubt & ~over.alone; left; n_decided++) {
             int i = lanes_next(&left);
             CHECK(rooted >> i & 1, "seed %u, lane %d", seed, i);
             double bound = roots.depth_error[i] + 1e-14 * (distance[i] + 10);
@@ -207,7 +209,7 @@ static void a_bunch_hits_the_nearest_root_of_each_ray_and_is_blocked_by_any(void
     assert_true(n_hits > 50000);
 }
 
-/* What a ray of a bunch finds does not depend on the rays beside it, as long as it is not left to go alone. */
+/* What a ray of a bunch finds does not depend on the rays beside it. */
 static void a_lane_is_hit_the_same_whoever_is_beside_it(void **state)
 {
     Fixture *f = *state;
@@ -225,12 +227,10 @@ static void a_lane_is_hit_the_same_whoever_is_beside_it(void **state)
         other.b.ray[i] = one.b.ray[i], other.t_max[i] = one.t_max[i];
         bunch_set_lanes(&other.b);
         bunch_use_frames(&other.b);
-        Roots a, b;
-        Lanes lane = 1u << i, doubt_a = 0, doubt_b = 0;
-        Lanes got_a = tile_roots_bunch(p, &one.b, lane, (BunchLimits){ one.t_max, 1 }, &a, &doubt_a, &f->trace);
-        Lanes got_b = tile_roots_bunch(p, &other.b, 255, (BunchLimits){ other.t_max, 1 }, &b, &doubt_b, &f->trace);
-        CHECK(got_a == (got_b & lane) && doubt_a == (doubt_b & lane), "seed %u", seed);
-        if (got_a) CHECK(a.s[i] == b.s[i] && a.t[i] == b.t[i] && a.depth[i] == b.depth[i], "seed %u", seed);
+        CertainHits a, b;
+        Lanes lane = 1u << i, got_a = nearest(f, p, &one, lane, &a), got_b = nearest(f, p, &other, 255, &b);
+        CHECK(got_a == (got_b & lane), "seed %u", seed);
+        if (got_a) CHECK(is_same_hit(&a, &b, i), "seed %u", seed);
     }
 }
 

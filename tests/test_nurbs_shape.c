@@ -1,11 +1,8 @@
 /* The shape: spheres, tori and cylinders as NURBS along random rays and camera-like grids, against closed forms; the misses
  * of `method paper` are printed. And attributes, scaling, hit against blocks, codes. */
 #include "nurbs/nurbs.h"
-#include "render/roots.h"
 #include "render/shape.h"
-#include "tests/models.h"
-
-#define MINOR 0.4      /* of the torus */
+#include "tests/closed_forms.h"
 
 typedef struct { Arena *a; Shape *shape; Trace t; } Fixture;
 
@@ -29,42 +26,6 @@ static Vec3 random_direction(TestRandom *r)
     do d = vec(test_range(r, -1, 1), test_range(r, -1, 1), test_range(r, -1, 1)); while (vec_length2(d) > 1);
     return vec_normalize(d);
 }
-
-/* ---- closed forms: the roots along a ray with a unit direction, ascending ---- */
-
-typedef int (*Truth)(Vec3 o, Vec3 d, double *t);
-
-static int sphere_truth(Vec3 o, Vec3 d, double *t)
-{
-    return roots_quadratic((const double[3]){ vec_length2(o) - 1, 2 * vec_dot(o, d), 1 }, t);
-}
-
-static int cylinder_truth(Vec3 o, Vec3 d, double *t)
-{
-    double all[2], c[3] = { o.x * o.x + o.y * o.y - 1, 2 * (o.x * d.x + o.y * d.y), d.x * d.x + d.y * d.y };
-    int n = roots_quadratic(c, all), kept = 0;
-    for (int i = 0; i < n; i++)
-        if (fabs(o.z + all[i] * d.z) <= 1) t[kept++] = all[i];
-    return kept;
-}
-
-/* From the point of the ray that is nearest to the middle: the coefficients stay small. */
-static int torus_truth(Vec3 origin, Vec3 d, double *t)
-{
-    double shift = -vec_dot(origin, d);
-    Vec3 o = vec_add(origin, vec_scale(d, shift));
-    double k = vec_length2(o) + 1 - MINOR * MINOR, b = vec_dot(o, d);
-    double xx = o.x * o.x + o.y * o.y, xd = o.x * d.x + o.y * d.y, dd = d.x * d.x + d.y * d.y;
-    double c[5] = { k * k - 4 * xx, 4 * b * k - 8 * xd, 2 * k + 4 * b * b - 4 * dd, 4 * b, 1 };
-    int n = roots_quartic(c, t);
-    for (int i = 0; i < n; i++) t[i] += shift;
-    return n;
-}
-
-typedef struct { const char *name; void (*make)(Model *m); Truth truth; } Case;
-static void make_torus(Model *m) { model_torus(m, MINOR); }
-static const Case cases[3] = { { "sphere", model_sphere, sphere_truth }, { "torus", make_torus, torus_truth },
-                               { "cylinder", model_cylinder, cylinder_truth } };
 
 typedef struct { int n_rays, n_true, n_missed, n_far, n_false; double worst; } Tally;
 

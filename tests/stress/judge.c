@@ -1,6 +1,7 @@
 /* See judge.h. */
 #include "tests/stress/judge.h"
 
+#include "render/bunch.h"
 #include "render/hit_list.h"
 
 #include <string.h>
@@ -124,34 +125,90 @@ static double clock_overhead(void)
     return overhead = (cpu_now() - begin) / 1001;
 }
 
-Verdict judge_ray(const Model *m, int method, const Ray *r, const Truth *truth, bool wants_all, Trace *trace, Row *row)
+/* What a shape says of a ray; `blocks` knows no more than that there is a hit. */
+typedef struct { Hit hit; bool is_hit, blocks; } Answer;
+
+static Judgement judge_answer(const Shape *s, const Ray *r, const Truth *truth, const Answer *a, Row *row)
+{
+    Row ignored = { 0 };
+    Judgement j = judge(truth, r, a->is_hit, a->hit.t, row);
+    if (j > JUDGED_IN_BAND) return j;
+    if (!a->blocks && judge(truth, r, false, 0, &ignored) == JUDGED_MISSED) return JUDGED_MISSED;
+    if (a->blocks && !a->is_hit && j == JUDGED_RIGHT) return JUDGED_FALSE;
+    return a->is_hit && !is_normal(s, r, &a->hit) ? JUDGED_INEXACT : j;
+}
+
+/* The ray is in every lane but those of its neighbours, in some of them with a longer or shorter direction. */
+static void fill_bunch(RayBunch *b, const Ray *r, const Ray beside[], double scale[])
+{
+    for (int i = 0; i < BUNCH_WIDTH; i++) {
+        int k = i % (JUDGE_BESIDE + 1);
+        scale[i] = ldexp(1, 2 * i);
+        b->ray[i] = k ? beside[k - 1] : (Ray){ r->origin, vec_scale(r->dir, scale[i]), r->t_min / scale[i] };
+    }
+    b->n = BUNCH_WIDTH;
+    bunch_set_lanes(b);
+}
+
+/* The worst of what is said of the ray's lanes. */
+static Judgement judge_in_bunch(const Shape *s, const Ray *r, const Truth *truth, const Ray beside[], Trace *trace)
+{
+    RayBunch b;
+    BunchLane lane[BUNCH_WIDTH];
+    Hit best[BUNCH_WIDTH];
+    double t_max[BUNCH_WIDTH], scale[BUNCH_WIDTH];
+    Judgement worst = JUDGED_RIGHT;
+    Row ignored = { 0 };
+    b.lane = lane;
+    fill_bunch(&b, r, beside, scale);
+    for (int i = 0; i < BUNCH_WIDTH; i++) {
+        lane[i] = (BunchLane){ .seed = trace->seed + (uint64_t)i };
+        best[i] = (Hit){ .t = INFINITY }, t_max[i] = INFINITY;
+    }
+    Lanes hit = shape_hit_bunch(s, &b, bunch_all(&b), best, trace);
+    for (int i = 0; i < BUNCH_WIDTH; i++) lane[i].root = (RayRoot){ 0 };
+    Lanes blocked = shape_blocks_bunch(s, &b, bunch_all(&b), t_max, trace);
+    for (int i = 0; i < BUNCH_WIDTH; i += JUDGE_BESIDE + 1) {
+        Answer a = { best[i], hit >> i & 1, blocked >> i & 1 };
+        a.hit.t *= scale[i], a.hit.t_error *= scale[i];
+        Judgement j = judge_answer(s, r, truth, &a, &ignored);
+        if (j > worst) worst = j;
+    }
+    return worst;
+}
+
+static void count(Row *row, const Verdict *v)
+{
+    row->rays++, row->hits += v->is_hit;
+    row->in_band += v->judgement == JUDGED_IN_BAND, row->missed += v->judgement == JUDGED_MISSED;
+    row->false_hits += v->judgement == JUDGED_FALSE, row->inexact += v->judgement == JUDGED_INEXACT;
+    row->not_once += v->judgement == JUDGED_NOT_ONCE;
+}
+
+Verdict judge_ray(const Model *m, int method, const Ray *r, const Truth *truth, const Ray beside[], bool wants_all,
+                  Trace *trace, Row *row)
 {
     Shape *s = m->shape[method];
-    Hit hit = { .t = INFINITY };
+    Answer a = { .hit.t = INFINITY };
     shape_prepare(s, trace);
     Counters before = trace->counters;
     double overhead = clock_overhead(), begin = cpu_now();
-    bool is_hit = shape_hit(s, r, &hit, trace);
+    a.is_hit = shape_hit(s, r, &a.hit, trace);
     double seconds = fmax(0, cpu_now() - begin - overhead);
     row->seconds += seconds, row->slowest = fmax(row->slowest, seconds);
     row->tests += trace->counters.leaf_tests - before.leaf_tests;
     row->fallbacks += trace->counters.fallbacks - before.fallbacks;
-    Verdict v = { judge(truth, r, is_hit, hit.t, row), is_hit, hit.t, hit.u, hit.v, seconds };
-    if (v.judgement <= JUDGED_IN_BAND) {   /* `blocks` knows no more than that there is one */
-        Row ignored = { 0 };
-        bool blocks = shape_blocks(s, r, INFINITY, trace);
-        if (!blocks) v.judgement = judge(truth, r, false, 0, &ignored) == JUDGED_MISSED ? JUDGED_MISSED : v.judgement;
-        else if (!is_hit && v.judgement == JUDGED_RIGHT) v.judgement = JUDGED_FALSE;
+    a.blocks = shape_blocks(s, r, INFINITY, trace);
+    Verdict v = { judge_answer(s, r, truth, &a, row), a.is_hit, a.hit.t, a.hit.u, a.hit.v, seconds };
+    if (s->type->hit_bunch && v.judgement <= JUDGED_IN_BAND) {
+        Judgement in_bunch = judge_in_bunch(s, r, truth, beside, trace);
+        if (in_bunch > v.judgement) v.judgement = in_bunch;
     }
-    if (is_hit && v.judgement <= JUDGED_IN_BAND && !is_normal(s, r, &hit)) v.judgement = JUDGED_INEXACT;
     if (wants_all && v.judgement <= JUDGED_IN_BAND && s->type->all_hits) {
         row->asked++;
         if (!has_all_once(s, r, truth, trace)) v.judgement = JUDGED_NOT_ONCE;
     }
-    row->rays++, row->hits += is_hit;
-    row->in_band += v.judgement == JUDGED_IN_BAND, row->missed += v.judgement == JUDGED_MISSED;
-    row->false_hits += v.judgement == JUDGED_FALSE, row->inexact += v.judgement == JUDGED_INEXACT;
-    row->not_once += v.judgement == JUDGED_NOT_ONCE;
+    count(row, &v);
     return v;
 }
 

@@ -15,7 +15,7 @@ static struct {
     Part part;
     long index;                  /* of the ray in its part */
     const Model *model;
-    Ray ray;
+    Ray ray, before[JUDGE_BESIDE];   /* those before it, for bunches */
     Truth truth;
 } now;
 
@@ -85,7 +85,7 @@ static void shoot(Trace *trace, Row rows[N_METHODS], Reported *failures)
     const RunOptions *o = now.options;
     bool wants_all = o->only_ray >= 0 || now.index % o->all_hits_every == 0;
     for (int method = 0; method < N_METHODS; method++) {
-        Verdict v = judge_ray(now.model, method, &now.ray, &now.truth, wants_all, trace, &rows[method]);
+        Verdict v = judge_ray(now.model, method, &now.ray, &now.truth, now.before, wants_all, trace, &rows[method]);
         if (method != o->method) continue;
         if (o->only_ray >= 0) describe(stdout, v);
         else if (v.judgement > JUDGED_IN_BAND || v.seconds > SLOW) report_failure(failures, v);
@@ -110,6 +110,7 @@ static void run_model(const Model *m, long rays, TestRandom *random, Row rows[N_
         choose_start(&now.ray, &now.truth, random);
         trace.seed = test_bits(random);
         if (is_wanted) shoot(&trace, rows, failures);
+        now.before[now.index % JUDGE_BESIDE] = now.ray;
     }
     watch(0);
     arena_free(trace.scratch);

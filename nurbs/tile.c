@@ -17,7 +17,6 @@
 
 #include <float.h>
 #include <math.h>
-#include <pthread.h>
 
 static const double unit = 0.5 * DBL_EPSILON;
 
@@ -354,47 +353,4 @@ TileBend tile_bend(int k_u, int k_v, const Vec4 *points)
     double x = (ss + st) / length_s, y = (st + tt) / length_t;
     return (TileBend){ .variation = 0.5 * sqrt(x * x + y * y),
                        .along_u = ss / length_s + st / length_t, .along_v = tt / length_t + st / length_s };
-}
-
-/* ---- halving on demand ---- */
-
-/* One lock for all tiles: it is held for microseconds, once in a tile's life. */
-static pthread_mutex_t halving_lock = PTHREAD_MUTEX_INITIALIZER;
-
-/* A tile whose derivatives vary by less than this is as good as flat, and its halves would tell no more. */
-#define AS_GOOD_AS_FLAT 0x1p-12
-
-static bool may_be_halved(const Tile *tile)
-{
-    return tile->patch->group && tile->n_halvings < TILE_MAX_HALVINGS && !(tile->turn + tile->stretch < AS_GOOD_AS_FLAT);
-}
-
-static const Tile *make_halves(const Tile *tile)
-{
-    const Patch *p = tile->patch;
-    Tile *out = ARENA_ARRAY(p->group->arena, Tile, 2);
-    Vec4 net[NURBS_MAX_ORDER * NURBS_MAX_ORDER], first[NURBS_MAX_ORDER * NURBS_MAX_ORDER];
-    TilePlace place = tile_place(tile);
-    tile_net(p, place, net);
-    TileBend bend = tile_bend(p->k_u, p->k_v, net);
-    TilePlaces halves = tile_cut(p, place, !(bend.along_u < bend.along_v), net, first);
-    tile_make(p, first, halves.first, &out[0]);
-    tile_make(p, net, halves.second, &out[1]);
-    out[0].n_halvings = out[1].n_halvings = tile->n_halvings + 1;
-    return out;
-}
-
-const Tile *tile_halves(const Tile *tile)
-{
-    Tile *t = (Tile *)tile;     /* the one thing in a tile that changes, and under a lock */
-    const Tile *halves = atomic_load_explicit(&t->halves, memory_order_acquire);
-    if (halves || !may_be_halved(tile)) return halves;
-    pthread_mutex_lock(&halving_lock);
-    halves = atomic_load_explicit(&t->halves, memory_order_relaxed);
-    if (!halves) {
-        halves = make_halves(tile);
-        atomic_store_explicit(&t->halves, halves, memory_order_release);
-    }
-    pthread_mutex_unlock(&halving_lock);
-    return halves;
 }

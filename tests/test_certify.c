@@ -4,6 +4,7 @@
 
 #include "nurbs/certify.h"
 #include "nurbs/clip.h"
+#include "nurbs/doubt.h"
 #include "nurbs/nurbs.h"
 #include "render/hit_list.h"
 
@@ -66,7 +67,7 @@ static Vec3 middle_of(const Tile *f) { return vec_add(f->patch->origin, tile_vec
 /* A part of a tile, some halvings down. */
 static const Tile *random_part(TestRandom *r, const Tile *tile)
 {
-    for (int n = test_int(r, 0, 4); n > 0 && tile_halves(tile); n--) tile = &tile_halves(tile)[test_int(r, 0, 1)];
+    for (int n = test_int(r, 0, 4); n > 0 && tile_halves(tile); n--) tile = &tile_halves(tile)->tiles[test_int(r, 0, 1)];
     return tile;
 }
 

@@ -362,14 +362,14 @@ ALWAYS_INLINE FrameResult meet_tile(Solve *k, const Tile *tile, PatchRay *r)
 
 /* ---- rays in doubt ---- */
 
-/* The frame's answer for a half, and the paraboloid's where that is doubt. */
+/* The frame's answer for a half, unless the paraboloid knows better: it takes a quarter of the time of Newton's method, too. */
 ALWAYS_INLINE FrameResult meet_half(Solve *k, const Halves *h, int i, PatchRay *r)
 {
     halves_fetch_ahead(&h->tiles[i]);
     FrameResult is = meet_tile(k, &h->tiles[i], r);
-    if (is != FRAME_UNDECIDED) return is;
+    if (is == FRAME_MISS) return is;
     SeenTile seen = { r->n1, r->n2, k->q1, k->q2, k->c11, k->c12, k->c21, k->c22, k->c_det, k->rounding };
-    return paraboloid_is_missed(&h->paraboloids[i], &seen) ? FRAME_MISS : FRAME_UNDECIDED;
+    return paraboloid_is_missed(&h->paraboloids[i], &seen) ? FRAME_MISS : is;
 }
 
 /* How often both halves of a tile may be in doubt on the way down. One half alone shows that halving leads somewhere: to a
@@ -409,7 +409,7 @@ static bool roots_in_doubt(const Tile *tile, PatchRay *r, RootVisit visit, void 
             if (clip_in_doubt(d.tile, r, visit, context, trace)) return true;
             continue;
         }
-        int near = is_second_nearer(halves, r), order[2] = { 1 - near, near };
+        int near = is[0] != FRAME_MISS && is[1] != FRAME_MISS && is_second_nearer(halves, r), order[2] = { 1 - near, near };
         for (int n = 0; n < 2; n++) {
             int i = order[n];
             bool ended = false;

@@ -40,6 +40,14 @@ ALWAYS_INLINE V4 v4_fma(V4 a, double b, V4 c)
                  __builtin_fma(a[3], b, c[3]) };
 }
 
+typedef long long V4l __attribute__((vector_size(32)));
+ALWAYS_INLINE V4 v4_min(V4 a, V4 b)
+{
+    V4l less = a < b;
+    return (V4)(((V4l)a & less) | ((V4l)b & ~less));
+}
+ALWAYS_INLINE V4 v4_max(V4 a, V4 b) { return -v4_min(-a, -b); }
+
 /* Eight floats, eight doubles made of them, and what comparisons of them give. */
 typedef float V8f __attribute__((vector_size(32)));
 typedef float V8fUnaligned __attribute__((vector_size(32), aligned(4), may_alias));

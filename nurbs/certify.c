@@ -201,7 +201,7 @@ ALWAYS_INLINE NewtonResult newton(Solve *k, Trace *trace)
         if (step > 0 && is_out_of_reach(k, k->last.value[2] / k->last.value[3], ds, dt)) return NEWTON_OUTSIDE;
         k->ds = leaves ? s - k->s : ds, k->dt = leaves ? t - k->t : dt;    /* with bits that s and t have no room for */
         k->s = s, k->t = t;
-        if (fabs(ds) < LAST_STEP && fabs(dt) < LAST_STEP) return place_of_root(k);
+        if (fabs(k->ds) < LAST_STEP && fabs(k->dt) < LAST_STEP) return leaves ? NEWTON_UNDECIDED : place_of_root(k);
     }
     return NEWTON_UNDECIDED;
 }
@@ -285,8 +285,9 @@ ALWAYS_INLINE bool set_up(Solve *k)
     return !(k->q1 * k->q1 + k->q2 * k->q2 > reach * reach || depth - reach > r->t_max || depth + reach < r->t_min);
 }
 
-/* At most one root: Newton's method, from the parallelogram's or from where the ray comes from. */
-ALWAYS_INLINE bool solve_one(Solve *k, RootVisit visit, void *context, Trace *trace)
+/* At most one root: Newton's method, from the parallelogram's or from where the ray comes from. False: it comes to no end, or
+ * to the margin's; its halves have better certificates. *ended: a visit ended the search. */
+ALWAYS_INLINE bool solve_one(Solve *k, RootVisit visit, void *context, Trace *trace, bool *ended)
 {
     trace->counters.certificates++, trace->counters.nurbs_tests++;
     const Tile *f = k->tile;
@@ -296,12 +297,9 @@ ALWAYS_INLINE bool solve_one(Solve *k, RootVisit visit, void *context, Trace *tr
     k->least_step2 = least_step2(k);
     double from_s, from_t;
     if (is_from(f, k->r, &from_s, &from_t)) k->s = from_s, k->t = from_t;
-    switch (newton(k, trace)) {
-    case NEWTON_INSIDE: return report(k, visit, context);
-    case NEWTON_OUTSIDE: return false;
-    case NEWTON_UNDECIDED: break;
-    }
-    return clip_roots(k->tile, k->r, visit, context, trace);
+    NewtonResult is = newton(k, trace);
+    *ended = is == NEWTON_INSIDE && report(k, visit, context);
+    return is != NEWTON_UNDECIDED;
 }
 
 ALWAYS_INLINE FrameResult meet_tile(Solve *k, const Tile *tile, PatchRay *r)
@@ -324,6 +322,20 @@ static bool clip_in_doubt(const Tile *tile, PatchRay *r, RootVisit visit, void *
     return clip_roots(tile, r, visit, context, trace);
 }
 
+/* All roots of a tile, unless it is in doubt: false. */
+ALWAYS_INLINE bool solve_tile(const Tile *tile, PatchRay *r, RootVisit visit, void *context, Trace *trace, bool *ended)
+{
+    Solve k;
+    *ended = false;
+    switch (meet_tile(&k, tile, r)) {
+    case FRAME_MISS: return true;
+    case FRAME_UNDECIDED: return false;
+    case FRAME_HOPELESS: *ended = clip_in_doubt(tile, r, visit, context, trace); return true;
+    case FRAME_ONE_AT_MOST: break;
+    }
+    return solve_one(&k, visit, context, trace, ended);
+}
+
 /* All roots of a tile in doubt. One with a pole on the ray would be halved for nothing. */
 EVERY_X86
 static bool roots_in_doubt(const Tile *tile, PatchRay *r, RootVisit visit, void *context, Trace *trace)
@@ -334,21 +346,18 @@ static bool roots_in_doubt(const Tile *tile, PatchRay *r, RootVisit visit, void 
     for (int top = 1; top > 0; ) {
         Doubt d = stack[--top];
         const Tile *halves = tile_halves(d.tile);
-        Solve k[2];
-        FrameResult is[2] = { FRAME_MISS, FRAME_MISS };
-        for (int i = 0; i < 2 && halves; i++) is[i] = meet_tile(&k[i], &halves[i], r);
-        bool is_stuck = is[0] == FRAME_UNDECIDED && is[1] == FRAME_UNDECIDED && d.doubts-- == 0;
+        bool is_solved[2] = { false, false }, ended;
+        for (int i = 0; i < 2 && halves; i++) {
+            is_solved[i] = solve_tile(&halves[i], r, visit, context, trace, &ended);
+            if (ended) return true;
+        }
+        bool is_stuck = !is_solved[0] && !is_solved[1] && d.doubts-- == 0;
         if (!halves || is_stuck) {
             if (clip_in_doubt(d.tile, r, visit, context, trace)) return true;
             continue;
         }
-        for (int i = 0; i < 2; i++) {
-            bool ended = false;
-            if (is[i] == FRAME_UNDECIDED) stack[top++] = (Doubt){ &halves[i], d.doubts };
-            if (is[i] == FRAME_HOPELESS) ended = clip_in_doubt(&halves[i], r, visit, context, trace);
-            if (is[i] == FRAME_ONE_AT_MOST) ended = solve_one(&k[i], visit, context, trace);
-            if (ended) return true;
-        }
+        for (int i = 0; i < 2; i++)
+            if (!is_solved[i]) stack[top++] = (Doubt){ &halves[i], d.doubts };
     }
     return false;
 }
@@ -357,12 +366,7 @@ EVERY_X86
 bool tile_roots(const Tile *tile, PatchRay *r, RootVisit visit, void *context, Trace *trace)
 {
     if (tile->cone && pole_cone_is_out_of_reach(pole_cone_of(tile), tile->patch, r)) return false;
-    Solve k;
-    switch (meet_tile(&k, tile, r)) {
-    case FRAME_MISS: return false;
-    case FRAME_UNDECIDED: break;
-    case FRAME_HOPELESS: return clip_in_doubt(tile, r, visit, context, trace);
-    case FRAME_ONE_AT_MOST: return solve_one(&k, visit, context, trace);
-    }
+    bool ended;
+    if (solve_tile(tile, r, visit, context, trace, &ended)) return ended;
     return roots_in_doubt(tile, r, visit, context, trace);
 }

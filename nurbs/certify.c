@@ -203,7 +203,7 @@ ALWAYS_INLINE NewtonResult newton(Solve *k, Trace *trace)
         if (step > 0 && is_out_of_reach(k, k->last.value[2] / k->last.value[3], ds, dt)) return NEWTON_OUTSIDE;
         k->ds = leaves ? s - k->s : ds, k->dt = leaves ? t - k->t : dt;    /* with bits that s and t have no room for */
         k->s = s, k->t = t;
-        if (fabs(ds) < LAST_STEP && fabs(dt) < LAST_STEP) return place_of_root(k);
+        if (fabs(k->ds) < LAST_STEP && fabs(k->dt) < LAST_STEP) return leaves ? NEWTON_UNDECIDED : place_of_root(k);
     }
     return NEWTON_UNDECIDED;
 }
@@ -287,8 +287,9 @@ ALWAYS_INLINE bool set_up(Solve *k)
     return !(k->q1 * k->q1 + k->q2 * k->q2 > reach * reach || depth - reach > r->t_max || depth + reach < r->t_min);
 }
 
-/* At most one root: Newton's method, from the parallelogram's or from where the ray comes from. */
-ALWAYS_INLINE bool solve_one(Solve *k, RootVisit visit, void *context, Trace *trace)
+/* At most one root: Newton's method, from the parallelogram's or from where the ray comes from. False: it comes to no end, or
+ * to the margin's; its halves have better certificates. *ended: a visit ended the search. */
+ALWAYS_INLINE bool solve_one(Solve *k, RootVisit visit, void *context, Trace *trace, bool *ended)
 {
     trace->counters.certificates++, trace->counters.nurbs_tests++;
     const Tile *f = k->tile;
@@ -298,12 +299,9 @@ ALWAYS_INLINE bool solve_one(Solve *k, RootVisit visit, void *context, Trace *tr
     k->least_step2 = least_step2(k);
     double from_s, from_t;
     if (is_from(f, k->r, &from_s, &from_t)) k->s = from_s, k->t = from_t;
-    switch (newton(k, trace)) {
-    case NEWTON_INSIDE: return report(k, visit, context);
-    case NEWTON_OUTSIDE: return false;
-    case NEWTON_UNDECIDED: break;
-    }
-    return clip_roots(k->tile, k->r, visit, context, trace);
+    NewtonResult is = newton(k, trace);
+    *ended = is == NEWTON_INSIDE && report(k, visit, context);
+    return is != NEWTON_UNDECIDED;
 }
 
 ALWAYS_INLINE FrameResult meet_tile(Solve *k, const Tile *tile, PatchRay *r)
@@ -344,6 +342,20 @@ ALWAYS_INLINE bool is_second_nearer(const Halves *h, const PatchRay *r)
     return vec_dot(r->d, vec_sub(tile_vec(h->tiles[1].middle), tile_vec(h->tiles[0].middle))) < 0;
 }
 
+/* All roots of a tile that was met, unless it is in doubt: false. */
+ALWAYS_INLINE bool solve_met(Solve *k, FrameResult is, const Tile *tile, PatchRay *r, RootVisit visit, void *context,
+                             Trace *trace, bool *ended)
+{
+    *ended = false;
+    switch (is) {
+    case FRAME_MISS: return true;
+    case FRAME_UNDECIDED: return false;
+    case FRAME_HOPELESS: *ended = clip_in_doubt(tile, r, visit, context, trace); return true;
+    case FRAME_ONE_AT_MOST: break;
+    }
+    return solve_one(k, visit, context, trace, ended);
+}
+
 /* All roots of a tile in doubt. One with a pole on the ray would be halved for nothing. */
 EVERY_X86
 static bool roots_in_doubt(const Tile *tile, PatchRay *r, RootVisit visit, void *context, Trace *trace)
@@ -356,21 +368,21 @@ static bool roots_in_doubt(const Tile *tile, PatchRay *r, RootVisit visit, void 
         const Halves *halves = tile_halves(d.tile);
         Solve k[2];
         FrameResult is[2] = { FRAME_MISS, FRAME_MISS };
+        bool is_solved[2] = { false, false }, ended;
         for (int i = 0; i < 2 && halves; i++) is[i] = meet_half(&k[i], halves, i, r);
-        bool is_stuck = is[0] == FRAME_UNDECIDED && is[1] == FRAME_UNDECIDED && d.doubts-- == 0;
+        int near = is[0] != FRAME_MISS && is[1] != FRAME_MISS && is_second_nearer(halves, r), order[2] = { 1 - near, near };
+        for (int n = 0; n < 2 && halves; n++) {
+            int i = order[n];
+            is_solved[i] = solve_met(&k[i], is[i], &halves->tiles[i], r, visit, context, trace, &ended);
+            if (ended) return true;
+        }
+        bool is_stuck = !is_solved[0] && !is_solved[1] && d.doubts-- == 0;
         if (!halves || is_stuck) {
             if (clip_in_doubt(d.tile, r, visit, context, trace)) return true;
             continue;
         }
-        int near = is[0] != FRAME_MISS && is[1] != FRAME_MISS && is_second_nearer(halves, r), order[2] = { 1 - near, near };
-        for (int n = 0; n < 2; n++) {
-            int i = order[n];
-            bool ended = false;
-            if (is[i] == FRAME_UNDECIDED) stack[top++] = (InDoubt){ &halves->tiles[i], d.doubts };
-            if (is[i] == FRAME_HOPELESS) ended = clip_in_doubt(&halves->tiles[i], r, visit, context, trace);
-            if (is[i] == FRAME_ONE_AT_MOST) ended = solve_one(&k[i], visit, context, trace);
-            if (ended) return true;
-        }
+        for (int n = 0; n < 2; n++)
+            if (!is_solved[order[n]]) stack[top++] = (InDoubt){ &halves->tiles[order[n]], d.doubts };
     }
     return false;
 }
@@ -380,11 +392,8 @@ bool tile_roots(const Tile *tile, PatchRay *r, RootVisit visit, void *context, T
 {
     if (tile->cone && pole_cone_is_out_of_reach(pole_cone_of(tile), tile->patch, r)) return false;
     Solve k;
-    switch (meet_tile(&k, tile, r)) {
-    case FRAME_MISS: return false;
-    case FRAME_UNDECIDED: break;
-    case FRAME_HOPELESS: return clip_in_doubt(tile, r, visit, context, trace);
-    case FRAME_ONE_AT_MOST: return solve_one(&k, visit, context, trace);
-    }
+    bool ended;
+    FrameResult is = meet_tile(&k, tile, r);
+    if (solve_met(&k, is, tile, r, visit, context, trace, &ended)) return ended;
     return roots_in_doubt(tile, r, visit, context, trace);
 }

@@ -54,7 +54,7 @@ typedef struct {
     NurbsFlattening flattening;
     double flatness;                 /* C of [MCFS00] section 2.1, or the chord bound of the adaptive scheme; 0: chosen */
     int max_iterations;              /* MAXITER of section 2.3; 0: the default */
-    double leaf_variation;           /* method certain: how much a leaf's derivatives may vary; 0: the default (certain.h) */
+    double leaf_variation;           /* method certain: how much a leaf's derivatives may vary; 0: as tile_tree.h has it */
 } NurbsOptions;
 
 typedef enum {

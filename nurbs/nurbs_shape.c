@@ -12,6 +12,7 @@ typedef struct {
     const Surface *surface;
     LeafTree leaves;             /* by `method paper` */
     NurbsOptions options;
+    uint32_t n_together;         /* surfaces that are searched together with it, itself included */
     double prep_seconds;
 } NurbsShape;
 
@@ -37,8 +38,15 @@ static void certain_shape_prepare(Shape *s, Arena *own, Trace *t)
     NurbsShape *n = (NurbsShape *)s;
     double begin = stats_now();
     (void)t;
-    tile_tree_make(own, n->surface, n->options.leaf_variation, &n->tiles);
+    double asked = n->options.leaf_variation;
+    tile_tree_make(own, n->surface, asked > 0 ? asked : tile_tree_variation(n->surface, n->n_together), &n->tiles);
     n->prep_seconds = stats_now() - begin;
+}
+
+static void certain_shape_be_among(Shape *s, uint32_t n_primitives)
+{
+    NurbsShape *n = (NurbsShape *)s;
+    if (n_primitives > n->n_together) n->n_together = n_primitives;
 }
 
 static bool certain_shape_hit(const Shape *s, const Ray *r, Hit *best, Trace *t)
@@ -148,8 +156,8 @@ static void certain_shape_attributes(const Shape *s, const Ray *r, const Hit *h,
 
 static const ShapeType certain_type = {
     .name = "trimmed_nurbs", .bounds = nurbs_bounds, .prepare = certain_shape_prepare, .hit = certain_shape_hit,
-    .blocks = certain_shape_blocks, .lend = certain_shape_lend, .hit_item = certain_shape_hit_item,
-    .item_blocks = certain_shape_item_blocks, .hit_bunch = certain_shape_hit_bunch,
+    .blocks = certain_shape_blocks, .lend = certain_shape_lend, .be_among = certain_shape_be_among,
+    .hit_item = certain_shape_hit_item, .item_blocks = certain_shape_item_blocks, .hit_bunch = certain_shape_hit_bunch,
     .blocks_bunch = certain_shape_blocks_bunch, .hit_item_bunch = certain_shape_hit_item_bunch,
     .item_blocks_bunch = certain_shape_item_blocks_bunch, .all_hits = certain_shape_all_hits,
     .attributes = certain_shape_attributes, .tessellate = nurbs_tessellate,
@@ -202,6 +210,7 @@ Shape *nurbs_shape_new(Arena *a, const SurfaceDesc *desc, const NurbsOptions *op
     shape_init(&n->shape, options->method == NURBS_METHOD_PAPER ? &paper_type : &certain_type);
     n->surface = s;
     n->options = *options;
+    n->n_together = 1;
     return &n->shape;
 }
 

@@ -194,6 +194,19 @@ static double coarseness(const Surface *s)
     return points > 16 ? pow(points / 16, 0.25) : 1;
 }
 
+static int span_count(int k, int n, const double *tau)
+{
+    int n_spans = 0;
+    for (int i = k - 1; i < n; i++) n_spans += knots_is_span(tau, i);
+    return n_spans;
+}
+
+double tile_tree_variation(const Surface *s, uint32_t n_surfaces)
+{
+    double patches = (double)n_surfaces * span_count(s->k_u, s->n_u, s->tau_u) * span_count(s->k_v, s->n_v, s->tau_v);
+    return TILE_VARIATION * double_min(double_max(cbrt(patches / CACHED_PATCHES), 1), 2);
+}
+
 /* Boxes are in single precision: those of a surface that lies farther from the origin than this, in its own diagonals, are
  * about its middle. All others share their space with the trees around them, whose work on a ray is then not done again;
  * they swell by 2^-21 of that distance at most (bvh_wide.c), 2^-11 diagonals, which is little beside a tile. */
@@ -202,7 +215,7 @@ static double coarseness(const Surface *s)
 void tile_tree_make(Arena *a, const Surface *surface, double variation, TileTree *out)
 {
     Preparation k = { .group = &out->group, .own = a, .lists = arena_new(), .error = error_of_surface(surface) };
-    k.variation = (variation > 0 ? variation : TILE_VARIATION) * coarseness(surface);
+    k.variation = variation * coarseness(surface);
     size_t used = arena_used(a);
     Vec3 base = box_centre(surface->box), nowhere = { 0, 0, 0 };
     bool is_far = vec_max_abs(base) > FAR_OFF * box_diagonal(surface->box);

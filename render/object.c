@@ -182,6 +182,12 @@ static const Bvh *object_lend(Shape *shape, Arena *own, Trace *t, const ShapeTyp
     return o->is_placed || !o->child->type->lend ? NULL : o->child->type->lend(o->child, own, t, lender);
 }
 
+static void object_be_among(Shape *shape, uint32_t n)
+{
+    const Object *o = (const Object *)shape;
+    if (!o->is_placed && o->child->type->be_among) o->child->type->be_among(o->child, n);
+}
+
 static void object_took(const Shape *shape, const Ray *r, Hit *best)
 {
     const Object *o = (const Object *)shape;
@@ -212,9 +218,9 @@ static uint32_t object_parts(const Shape *shape, Shape *const **list)
 
 static const ShapeType object_type = {
     .name = "object", .bounds = object_bounds, .hit = object_hit, .blocks = object_blocks,
-    .hit_bunch = object_hit_bunch, .blocks_bunch = object_blocks_bunch, .lend = object_lend, .took = object_took,
-    .bare = object_bare,
-    .all_hits = object_all_hits, .inside = object_inside, .inside_bounds = object_inside_bounds, .parts = object_parts,
+    .hit_bunch = object_hit_bunch, .blocks_bunch = object_blocks_bunch, .lend = object_lend,
+    .be_among = object_be_among, .took = object_took, .bare = object_bare, .all_hits = object_all_hits,
+    .inside = object_inside, .inside_bounds = object_inside_bounds, .parts = object_parts,
 };
 
 bool shape_is_object(const Shape *s) { return s->type == &object_type; }

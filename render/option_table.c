@@ -214,7 +214,7 @@ const OptionRow option_rows[] = {
     { NULL, NULL, "max-iterations", "N", ALL, "steps of Newton's method", WHOLE(nurbs.max_iterations, 1, MAX_NEWTON) },
     { NULL, NULL, "max-steps", "N", ALL, "rounds of loops and calls of macros before giving up (default 100000000)",
       WHOLE(max_steps, 1, 2000000000) },
-    { NULL, NULL, "leaf-variation", "V", ALL, "method certain: how much derivatives may vary within a leaf (default .25)",
+    { NULL, NULL, "leaf-variation", "V", ALL, "method certain: how much derivatives may vary in a leaf (default .25 to .5)",
       REAL(nurbs.leaf_variation, 0x1p-1022, INFINITY) },
     { NULL, NULL, "rays", "FILE", S, "shoot: 6 little-endian doubles a ray; .txt and -: as text", TEXT(rays) },
     { NULL, NULL, "stats", "FILE.json", R | S, "times and counts; taking them costs up to a tenth of the time",

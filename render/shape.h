@@ -58,6 +58,9 @@ struct ShapeType {
      * blocks(), and told their number and where they lie (bvh_item): the shape itself need not be in the cache. took() adds
      * what shapes around the lender's have to say of a hit; NULL: nothing. */
     const Bvh *(*lend)(Shape *s, Arena *own, Trace *t, const ShapeType **lender);
+    /* Told before s is prepared: a compound of n primitives has it as a part, and may ask it to lend. Of several compounds
+     * the largest counts: what is prepared does not depend on which comes first. NULL: it is no matter. */
+    void (*be_among)(Shape *s, uint32_t n);
     bool (*hit_item)  (const void *at, uint32_t item, const Ray *r, Hit *best, Trace *t);
     bool (*item_blocks)(const void *at, uint32_t item, const Ray *r, double t_max, Trace *t);
     void (*took)      (const Shape *s, const Ray *r, Hit *best);

@@ -95,5 +95,7 @@ Shape *union_new(Arena *a, Shape *const parts[], uint32_t n)
         u->shape.n_primitives += parts[i]->n_primitives;
         if (parts[i]->depth > u->shape.depth) u->shape.depth = parts[i]->depth;
     }
+    for (uint32_t i = 0; i < n; i++)
+        if (parts[i]->type->be_among) parts[i]->type->be_among(parts[i], u->shape.n_primitives);
     return &u->shape;
 }

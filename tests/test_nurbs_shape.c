@@ -283,6 +283,35 @@ static void nothing_is_prepared_before_a_ray_comes(void **state)
     done(&f);
 }
 
+static int leaves_among(const Model *m, uint32_t n_first, uint32_t n_second)
+{
+    Fixture f = fixture_of(m, (NurbsOptions){ .method = NURBS_METHOD_CERTAIN });
+    NurbsInfo info;
+    f.shape->type->be_among(f.shape, n_first);
+    f.shape->type->be_among(f.shape, n_second);
+    TestRandom r = test_random(12);
+    for (int i = 0; i < 2000; i++) {
+        Vec3 d = random_direction(&r), o = vec_add(vec_scale(d, -4), vec_scale(random_direction(&r), 0.9));
+        Hit h = { .t = INFINITY };
+        double truth[2];
+        CHECK(shape_hit(f.shape, &(Ray){ o, d, 0 }, &h, &f.t), "ray %d", i);
+        CHECK(sphere_truth(o, d, truth) == 2 && fabs(h.t - truth[0]) < h.t_error + 1e-14, "ray %d: %g", i, h.t - truth[0]);
+    }
+    nurbs_shape_info(f.shape, &info);
+    done(&f);
+    return info.n_leaves;
+}
+
+static void a_surface_among_many_has_fewer_leaves_and_the_same_hits(void **state)
+{
+    (void)state;
+    Model m;
+    model_sphere(&m);
+    int alone = leaves_among(&m, 1, 1), some = leaves_among(&m, 40, 40), many = leaves_among(&m, 4096, 4096);
+    CHECK(alone > some && some > many && alone > 2 * many, "%d, %d and %d leaves", alone, some, many);
+    CHECK(many == leaves_among(&m, 4096, 2) && many == leaves_among(&m, 2, 4096), "the largest compound counts");
+}
+
 static void errors_come_with_their_code(void **state)
 {
     (void)state;
@@ -310,6 +339,7 @@ int main(void)
         cmocka_unit_test(the_normal_at_a_pole_is_the_limit),
         cmocka_unit_test(a_crease_has_no_gap_and_the_normals_of_its_sides),
         cmocka_unit_test(nothing_is_prepared_before_a_ray_comes),
+        cmocka_unit_test(a_surface_among_many_has_fewer_leaves_and_the_same_hits),
         cmocka_unit_test(errors_come_with_their_code),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -410,6 +410,33 @@ static void a_union_builds_its_tree_when_it_is_reached(void **state)
     release_all(outer);
 }
 
+typedef struct { Shape shape; uint32_t among; } Listener;
+
+static Box listener_bounds(const Shape *s)
+{
+    (void)s;
+    return box_from(vec(0, 0, 0), vec(1, 1, 1));
+}
+
+static void listener_be_among(Shape *s, uint32_t n) { ((Listener *)s)->among = n; }
+
+static const ShapeType listener_type = { .name = "listener", .bounds = listener_bounds, .be_among = listener_be_among };
+
+static void parts_of_a_union_know_how_many_they_are_unless_they_are_moved(void **state)
+{
+    (void)state;
+    Listener bare = { .among = 1 }, within = { .among = 1 }, moved = { .among = 1 };
+    shape_init(&bare.shape, &listener_type), shape_init(&within.shape, &listener_type);
+    shape_init(&moved.shape, &listener_type);
+    Object *around = object_new(arena, &within.shape), *away = object_new(arena, &moved.shape);
+    move(away, xform_translate(vec(1, 0, 0)));
+    Shape *const two[] = { ball(vec(0, 0, 0), 1), ball(vec(3, 0, 0), 1) };
+    Shape *const parts[] = { &bare.shape, &around->shape, &away->shape, union_new(arena, two, 2) };
+    (void)union_new(arena, parts, 4);
+    CHECK(bare.among == 5 && within.among == 5, "%u and %u of 5", bare.among, within.among);
+    CHECK(moved.among == 1, "its tree is lent to nobody");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -427,6 +454,7 @@ int main(void)
         cmocka_unit_test(a_union_is_its_parts),
         cmocka_unit_test(of_surfaces_that_coincide_the_first_is_seen),
         cmocka_unit_test(a_union_builds_its_tree_when_it_is_reached),
+        cmocka_unit_test(parts_of_a_union_know_how_many_they_are_unless_they_are_moved),
     };
     return cmocka_run_group_tests(tests, make_arena, free_arena);
 }

@@ -76,7 +76,7 @@ static inline void bunch_begin(const RayBunch *b, int i, Trace *t) { lane_begin(
 static inline void bunch_end(const RayBunch *b, int i, const Trace *t) { lane_end(&b->lane[i], t); }
 
 /* Each ray of `lanes` as shape_hit and shape_blocks have it, with best[i], t_max[i]: the lanes that were hit, that are
- * blocked. */
+ * blocked. best and t_max have BUNCH_WIDTH places; in those of other rays there may be anything. */
 Lanes shape_hit_bunch(const Shape *s, RayBunch *b, Lanes lanes, Hit best[], Trace *t);
 Lanes shape_blocks_bunch(const Shape *s, RayBunch *b, Lanes lanes, const double t_max[], Trace *t);
 

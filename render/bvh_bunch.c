@@ -4,12 +4,14 @@
  * nothing is turned away which the ray meets. Only rays whose directions have the same signs go together, so that they
  * meet the same sides of a box first; others follow. Where few are left, each sees a node's boxes as a ray alone does.
  *
+ * Rays of a pencil begin at the root, too (those that go alone have entries, pencil.h): of the nodes on the way, which are
+ * looked at once for eight rays, less can be saved than it takes to find the rays' cells.
+ *
  * A child waits with the rays that meet it, and with the least t at which they do. Rays are lanes of a mask: of those that
  * are not in it nothing is changed, whatever numbers stand there. */
 #include "render/bvh_bunch.h"
 
 #include "render/bvh_walk.h"
-#include "render/pencil.h"
 
 /* So many rays, or fewer, see a node's boxes one ray after the other, eight boxes at once. */
 #define FEW 2
@@ -101,7 +103,7 @@ typedef struct {
     bool nearest_first, ahead;
     uint64_t n_boxes;
     int top;
-    Waiting stack[BUNCH_WIDTH * WIDTH + WIDE_MOST_WAITING];
+    Waiting stack[WIDE_MOST_WAITING];
 } Walk;
 
 typedef int V8i __attribute__((vector_size(32)));
@@ -177,34 +179,27 @@ ALWAYS_INLINE uint64_t meet_few(const Walk *w, const WideNode *n, Lanes lanes, f
     return transposed(rows);
 }
 
-/* Puts children of n above `base`, the nearest last; or the farthest last, where any hit will do. One that other rays have
- * put there is theirs, too, where rays have entered by different nodes. */
-ALWAYS_INLINE void push(Walk *w, uint32_t child, Lanes lanes, float t, int base, bool is_entry)
+/* Puts a child above `base`, the nearest last; or the farthest last, where any hit will do. */
+ALWAYS_INLINE void push(Walk *w, Waiting child, int base)
 {
-    int at = w->top;
-    for (int i = base; is_entry && i < at; i++) {
-        if (w->stack[i].child != child) continue;
-        w->stack[i].lanes |= lanes, w->stack[i].t = t < w->stack[i].t ? t : w->stack[i].t;
-        return;
-    }
-    for (; at > base && (w->nearest_first ? w->stack[at - 1].t < t : w->stack[at - 1].t > t); at--)
+    int at = w->top++;
+    for (; at > base && (w->nearest_first ? w->stack[at - 1].t < child.t : w->stack[at - 1].t > child.t); at--)
         w->stack[at] = w->stack[at - 1];
-    w->stack[at] = (Waiting){ child, lanes, t };
-    w->top++;
+    w->stack[at] = child;
 }
 
 /* The rays go on to the children of n. */
-ALWAYS_INLINE void meet_children(Walk *w, const WideNode *n, Lanes lanes, bool is_entry)
+ALWAYS_INLINE void meet_children(Walk *w, const WideNode *n, Lanes lanes)
 {
     float t[WIDTH];
     bool are_few = __builtin_popcount(lanes) <= FEW;
     uint64_t met = are_few ? meet_few(w, n, lanes, t) : meet_many(w, n, lanes, t);
-    int base = is_entry ? 0 : w->top;
+    int base = w->top;
     unsigned children = 0;
     w->n_boxes += (uint64_t)__builtin_popcount(lanes) * n->n_children;
     while (met) {
         int i = __builtin_ctzll(met) / 8;
-        push(w, n->child[i], met >> 8 * i & 0xFF, t[i], base, is_entry);
+        push(w, (Waiting){ n->child[i], met >> 8 * i & 0xFF, t[i] }, base);
         met &= ~((uint64_t)0xFF << 8 * i);
         children |= 1u << i;
     }
@@ -227,10 +222,18 @@ ALWAYS_INLINE Lanes same_signs(Walk *w, Lanes lanes)
     return lanes;
 }
 
-/* From what is on the stack to the end; the rays that visits ended. */
+ALWAYS_INLINE V8f v8f_only(Lanes lanes, V8f a, V8f otherwise)
+{
+    V8i bit = { 1, 2, 4, 8, 16, 32, 64, 128 };
+    return v8f_select(((int)lanes & bit) == bit, a, otherwise);
+}
+
+/* From the root, for rays whose directions have the same signs; those that visits ended. */
 ALWAYS_INLINE Lanes walk_down(Walk *w, RayBunch *b, Lanes lanes, double t_max[], Visitor v, Trace *t)
 {
     Lanes ended = 0;
+    w->t_min = v8f_only(lanes, w->slabs.t_min, v8f_splat(INFINITY));
+    w->stack[0] = (Waiting){ 0, lanes, -INFINITY }, w->top = 1;
     while (w->top > 0 && ended != lanes) {
         Waiting next = w->stack[--w->top];
         Lanes going = next.lanes & ~ended;
@@ -241,43 +244,10 @@ ALWAYS_INLINE Lanes walk_down(Walk *w, RayBunch *b, Lanes lanes, double t_max[],
             ended |= v.visit(v.context, next.child & ~IS_ITEM, b, going, t_max, t) & going;
             if (w->nearest_first) w->limit = limits_of(&w->slabs, t_max);
         } else {
-            meet_children(w, &w->tree->nodes[next.child], going, false);
+            meet_children(w, &w->tree->nodes[next.child], going);
         }
     }
     return ended;
-}
-
-ALWAYS_INLINE V8f v8f_only(Lanes lanes, V8f a, V8f otherwise)
-{
-    V8i bit = { 1, 2, 4, 8, 16, 32, 64, 128 };
-    return v8f_select(((int)lanes & bit) == bit, a, otherwise);
-}
-
-ALWAYS_INLINE Lanes walk_entries(Walk *w, RayBunch *b, const PencilEntry entries[], int n, double t_max[], Visitor v,
-                                 Trace *t)
-{
-    Lanes left = 0, ended = 0;
-    for (int i = 0; i < n; i++) left |= entries[i].lanes;
-    left &= w->slabs.meeting;
-    w->limit = limits_of(&w->slabs, t_max);
-    while (left) {
-        Lanes together = same_signs(w, left);
-        w->t_min = v8f_only(together, w->slabs.t_min, v8f_splat(INFINITY));
-        w->top = 0;
-        for (int i = 0; i < n; i++)
-            if (entries[i].lanes & together) meet_children(w, entries[i].node, entries[i].lanes & together, true);
-        ended |= walk_down(w, b, together, t_max, v, t);
-        left &= ~together;
-    }
-    return ended;
-}
-
-ALWAYS_INLINE int find_entries(const WideBvh *tree, const RayBunch *b, Lanes lanes, const double t_max[], Trace *t,
-                               PencilEntry out[BUNCH_WIDTH])
-{
-    if (t->apex && tree->n_nodes >= PENCIL_LEAST_NODES) return pencil_entries(tree, b, lanes, t_max, t, out);
-    out[0] = (PencilEntry){ &tree->nodes[0], lanes };
-    return 1;
 }
 
 ALWAYS_INLINE Lanes visit_single(const WideBvh *tree, RayBunch *b, Lanes lanes, double t_max[], Visitor v, Trace *t)
@@ -293,15 +263,18 @@ ALWAYS_INLINE Lanes walk(const WideBvh *tree, RayBunch *b, Lanes lanes, double t
     uint64_t *count = t->is_shadow_ray ? &t->counters.light_bv_intersections : &t->counters.bv_intersections;
     *count += (uint64_t)__builtin_popcount(lanes);
     if (tree->is_single) return visit_single(tree, b, lanes, t_max, v, t);
-    PencilEntry entries[BUNCH_WIDTH];
-    int n = find_entries(tree, b, lanes, t_max, t, entries);
-    if (n == 0) return 0;
     use_slabs(tree, b);
     Walk w;
+    Lanes ended = 0, left = lanes & b->slabs.meeting;
     bool was_ahead = t->fetches_ahead;
     w.tree = tree, w.slabs = b->slabs, w.nearest_first = nearest_first, w.n_boxes = 0;
     w.ahead = t->fetches_ahead = was_ahead || tree->is_large;
-    Lanes ended = walk_entries(&w, b, entries, n, t_max, v, t);
+    w.limit = limits_of(&w.slabs, t_max);
+    while (left) {
+        Lanes together = same_signs(&w, left);
+        ended |= walk_down(&w, b, together, t_max, v, t);
+        left &= ~together;
+    }
     t->fetches_ahead = was_ahead;
     *count += w.n_boxes;
     return ended;

@@ -2,7 +2,6 @@
 #ifndef TRIMRAY_PENCIL_H
 #define TRIMRAY_PENCIL_H
 
-#include "render/bunch.h"
 #include "render/bvh_collapse.h"
 
 /* The pencils of one picture, shared by its threads: of trees that stay as they are meanwhile. */
@@ -16,11 +15,5 @@ void pencils_free(Pencils *p);      /* NULL is allowed */
  * it may meet, whose links go into the tree. NULL: it meets nothing. A ray that does not go through the apex enters at the
  * root. t->pencils and t->apex are there. */
 const WideNode *pencil_entry(const WideBvh *tree, const Ray *r, double t_max, Trace *t);
-
-/* The same for rays of a bunch: those that enter by the same node go together. Returns how many nodes there are; rays that
- * meet nothing are not in them. */
-typedef struct { const WideNode *node; Lanes lanes; } PencilEntry;
-int pencil_entries(const WideBvh *tree, const RayBunch *b, Lanes lanes, const double t_max[], Trace *t,
-                   PencilEntry out[BUNCH_WIDTH]);
 
 #endif

@@ -8,7 +8,7 @@ typedef struct {
     unsigned skip;             /* 0: no part has any of these flags */
     Lanes hit;                 /* the rays that have found one here */
     Hit *best;                 /* of each ray */
-    int64_t best_rank[BUNCH_WIDTH];   /* of those that are hit: see shape_tree.c */
+    int64_t best_rank[BUNCH_WIDTH], highest_rank;   /* of those that are hit: see shape_tree.c */
 } Search;
 
 /* ---- the nearest ---- */
@@ -44,7 +44,7 @@ static void meet_nearest(Search *s, Item i, int64_t rank, RayBunch *b, Lanes lan
     if (s->skip && p->flags & s->skip) return;
     Lanes raised = 0;
     double before[BUNCH_WIDTH];
-    for (Lanes left = lanes & s->hit; left; ) {
+    for (Lanes left = rank < s->highest_rank ? lanes & s->hit : 0; left; ) {
         int k = lanes_next(&left);
         if (rank >= s->best_rank[k]) continue;
         before[k] = s->best[k].t, s->best[k].t = double_neighbour(before[k], 1);
@@ -56,6 +56,7 @@ static void meet_nearest(Search *s, Item i, int64_t rank, RayBunch *b, Lanes lan
         s->best[k].t = before[k];
     }
     s->hit |= hit;
+    if (hit && rank > s->highest_rank) s->highest_rank = rank;
     while (hit) {
         int k = lanes_next(&hit);
         s->best[k].index += p->first_index, s->best_rank[k] = rank;
@@ -74,11 +75,8 @@ static Lanes visit_nearest(void *context, uint32_t i, RayBunch *b, Lanes lanes, 
 Lanes shape_tree_hit_bunch(const ShapeTree *tree, RayBunch *b, Lanes lanes, unsigned skip, Hit best[], Trace *t)
 {
     Search s = { .tree = tree, .skip = skip & tree->flags, .best = best };
-    double t_max[BUNCH_WIDTH] = { 0 };
-    for (Lanes left = lanes; left; ) {
-        int k = lanes_next(&left);
-        t_max[k] = best[k].t;
-    }
+    double t_max[BUNCH_WIDTH];
+    for (int k = 0; k < BUNCH_WIDTH; k++) t_max[k] = best[k].t;
     for (uint32_t i = 0; i < tree->n_unbounded; i++)
         meet_nearest(&s, (Item){ tree->unbounded[i], ALL_OF_IT, NULL }, tree->unbounded[i], b, lanes, t_max, t);
     if (tree->searched) bvh_traverse_bunch(tree->searched, b, lanes, t_max, visit_nearest, &s, t);

@@ -146,18 +146,4 @@ ALWAYS_INLINE V8l v8d_at_most(V8d a, V8d b)
     return out;
 }
 
-ALWAYS_INLINE V8l v8d_differs(V8d a, V8d b)
-{
-    V8l out;
-    for (int i = 0; i < 8; i++) out[i] = a[i] != b[i] ? -1 : 0;
-    return out;
-}
-
-ALWAYS_INLINE V8l v8l_equals(V8l a, long long b)
-{
-    V8l out;
-    for (int i = 0; i < 8; i++) out[i] = a[i] == b ? -1 : 0;
-    return out;
-}
-
 #endif

@@ -69,7 +69,8 @@ static bool is_near_trim(const TrimTree *trims, const Tile *f, Vec3 d, const Roo
     return keeps_along(trims, vec2(u, v), vec2(along.x * w_u, along.y * w_v), vec2(du, dv), MAX_CUTS_ALONG);
 }
 
-bool certain_keeps(const TileTree *tree, uint32_t i, const Tile *part, Vec3 d, const Root *root, double u, double v, Trace *t)
+bool certain_keeps(const TileTree *tree, uint32_t i, const Tile *part, Vec3 d, const Root *root, double u, double v,
+                   Trace *t)
 {
     const TrimCell *cell = part->patch->is_trimmed ? tree->cells[i] : NULL;
     t->counters.nurbs_hits++;

@@ -23,7 +23,8 @@ bool certain_nearest_on(const Tile *tile, uint32_t i, const Ray *r, double t_max
 bool certain_any_on(const Tile *tile, uint32_t i, const Ray *r, double t_max, Trace *t);
 
 /* Do the trims keep a root of a ray in the unit direction d, at (u, v) of a part of tile i? Counts into t. */
-bool certain_keeps(const TileTree *tree, uint32_t i, const Tile *part, Vec3 d, const Root *root, double u, double v, Trace *t);
+bool certain_keeps(const TileTree *tree, uint32_t i, const Tile *part, Vec3 d, const Root *root, double u, double v,
+                   Trace *t);
 
 /* Is there any hit in (r->t_min, t_max)? */
 bool certain_any(const TileTree *tree, const Ray *r, double t_max, Trace *t);

@@ -66,7 +66,7 @@ static Lanes keep_roots(const Search *k, const Tile *part, const Roots *roots, c
     for (Lanes left = rooted; left; ) {
         int i = lanes_next(&left);
         Root root = roots_get(roots, i);
-        Vec3 d = vec(f->d.x[i], f->d.y[i], f->d.z[i]);
+        Vec3 d = vec8_get(&f->d, i);
         if (certain_keeps(tile_tree_of(part), k->tile, part, d, &root, found->u[i], found->v[i], k->trace)) kept |= 1u << i;
     }
     return kept;

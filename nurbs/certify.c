@@ -287,8 +287,8 @@ ALWAYS_INLINE bool set_up(Solve *k)
     return !(k->q1 * k->q1 + k->q2 * k->q2 > reach * reach || depth - reach > r->t_max || depth + reach < r->t_min);
 }
 
-/* At most one root: Newton's method, from the parallelogram's or from where the ray comes from. False: it comes to no end, or
- * to the margin's; its halves have better certificates. *ended: a visit ended the search. */
+/* At most one root: Newton's method, from the parallelogram's or from where the ray comes from. False: it comes to no end,
+ * or to the margin's; the tile's halves have better certificates. *ended: a visit ended the search. */
 ALWAYS_INLINE bool solve_one(Solve *k, RootVisit visit, void *context, Trace *trace, bool *ended)
 {
     trace->counters.certificates++, trace->counters.nurbs_tests++;

@@ -1,8 +1,8 @@
 /* Eight rays at a tile: the tests of certify.c in its order, and with its proofs; `Rays` are its Solve, lane by lane.
  *
  * The operations are the same, some in another order or fused, which the bounds allow for. Two are others:
- *   the ray's origin is taken from the numerator before the dot products, w (o - H) for N.H - w N.o: two roundings of |H| and
- *   w |o|, and those of one dot product, are fewer than rounding_share counts;
+ *   the ray's origin is taken from the numerator before the dot products, N.(H - w o) for N.H - w N.o: two roundings of |H|
+ *   and w |o|, and those of one dot product, are fewer than rounding_share counts;
  *   where certify.c asks by how much rounding grows beyond the patch, here is the most that it does: a root that may be
  *   within that, and is not on the tile, is left to it.
  * A lane that is not a number passes no test: it is undecided, or has no root where certify.c finds none. */
@@ -29,7 +29,6 @@ typedef struct {
     V8d gain, contraction, least_step2;
 } Rays;
 
-ALWAYS_INLINE V8d dot(const Vec3x8 *a, const Vec3x8 *b) { return a->x * b->x + a->y * b->y + a->z * b->z; }
 ALWAYS_INLINE V8d dot_point(const Vec3x8 *a, const float b[3])
 {
     return a->x * (double)b[0] + a->y * (double)b[1] + a->z * (double)b[2];
@@ -42,25 +41,6 @@ ALWAYS_INLINE V8d past(V8d x) { return above(v8d_max(-x, x - 1), 0); }
 ALWAYS_INLINE V8l beyond_margin(V8d x) { return v8d_less(x, v8d_splat(LO)) | v8d_less(v8d_splat(HI), x); }
 
 /* ---- frames ---- */
-
-ALWAYS_INLINE void set_lane_frame(BunchFrames *f, int i, Vec3 dir)
-{
-    Vec3 d = vec_normalize(dir);
-    f->d.x[i] = d.x, f->d.y[i] = d.y, f->d.z[i] = d.z;
-}
-
-/* Unit vectors, as vec_normalize has them: what is too long or too short for a square is left to it. */
-ALWAYS_INLINE void set_directions(BunchFrames *f, const RayBunch *b)
-{
-    V8d length2 = dot(&b->dir, &b->dir), scale;
-    f->length = v8d_sqrt(length2), scale = 1 / f->length;
-    f->d = (Vec3x8){ b->dir.x * scale, b->dir.y * scale, b->dir.z * scale };
-    V8l is_plain = v8d_less(v8d_splat(0x1p-960), length2) & v8d_less(length2, v8d_splat(0x1p960));
-    for (Lanes odd = bunch_all(b) & ~v8l_mask(is_plain); odd; ) {
-        int i = lanes_next(&odd);
-        set_lane_frame(f, i, b->ray[i].dir);
-    }
-}
 
 /* frame_of_direction. */
 ALWAYS_INLINE void set_normals(BunchFrames *f)
@@ -77,7 +57,7 @@ static void make_frames(RayBunch *b)
     BunchFrames *f = &b->frames;
     V8d none = (b->dir.x * 0 + b->dir.y * 0 + b->dir.z * 0) + (b->origin.x * 0 + b->origin.y * 0 + b->origin.z * 0);
     f->finite = bunch_all(b) & v8l_mask(v8d_less(none, v8d_splat(1)));
-    set_directions(f, b);
+    f->length = v8d_sqrt(vec8_dot(b->dir, b->dir)), f->d = vec8_normalize(b->dir);
     set_normals(f);
     b->has_frames = true;
 }
@@ -110,10 +90,10 @@ ALWAYS_INLINE V8l passes_ball(Rays *k)
 {
     const Tile *tile = k->tile;
     Vec3x8 o = { k->o.x - (double)tile->middle[0], k->o.y - (double)tile->middle[1], k->o.z - (double)tile->middle[2] };
-    k->q1 = dot(&k->f->n1, &o), k->q2 = dot(&k->f->n2, &o);
+    k->q1 = vec8_dot(k->f->n1, o), k->q2 = vec8_dot(k->f->n2, o);
     V8d size = v8d_abs(k->o.x) + v8d_abs(k->o.y) + v8d_abs(k->o.z);    /* no less than its length, and takes no root */
     k->rounding = k->p->rounding + rounding_share(k->p) * (k->p->radius + size);
-    V8d depth = -dot(&k->f->d, &o), reach = (double)tile->radius + k->rounding;
+    V8d depth = -vec8_dot(k->f->d, o), reach = (double)tile->radius + k->rounding;
     return v8d_less(reach * reach, k->q1 * k->q1 + k->q2 * k->q2) | v8d_less(k->t_max, depth - reach)
         | v8d_less(depth + reach, k->t_min);
 }
@@ -189,7 +169,7 @@ ALWAYS_INLINE V8l leave_tile(const Rays *k, V8d s, V8d t)
     V8d off = k->p->rounding + rounding_share(k->p) * (2 * k->p->radius + size), rise = dot_vec(&start, normal);
     V8d sign = (V8d)(((V8l)along & INT64_MIN) ^ (V8l)rise);
     return v8d_less(v8d_splat(steepest2 * area * area), along * along)
-        & v8d_less(area * (v8d_sqrt(steepest2 * dot(&start, &start)) + 2 * off), sign);
+        & v8d_less(area * (v8d_sqrt(steepest2 * vec8_dot(start, start)) + 2 * off), sign);
 }
 
 /* ---- Newton's method ---- */
@@ -198,7 +178,7 @@ ALWAYS_INLINE Vec4x8 seen(const Rays *k, const Vec4x8 *p)
 {
     const BunchFrames *f = k->f;
     Vec3x8 x = { p->x - p->w * k->o.x, p->y - p->w * k->o.y, p->z - p->w * k->o.z };
-    return (Vec4x8){ dot(&f->n1, &x), dot(&f->n2, &x), dot(&f->d, &x), p->w };
+    return (Vec4x8){ vec8_dot(f->n1, x), vec8_dot(f->n2, x), vec8_dot(f->d, x), p->w };
 }
 
 ALWAYS_INLINE Vec4x8 times(const Vec4x8 *a, double b) { return (Vec4x8){ a->x * b, a->y * b, a->z * b, a->w * b }; }
@@ -333,7 +313,7 @@ ALWAYS_INLINE Lanes set_roots(const Rays *k, const Iteration *n, Roots *out)
 /* Lanes of one root at most, from the parallelogram's. */
 ALWAYS_INLINE Lanes solve(Rays *k, Lanes lanes, Roots *out, LanesLeft *left, Trace *trace)
 {
-    k->rounding = k->p->rounding + rounding_share(k->p) * (k->p->radius + v8d_sqrt(dot(&k->o, &k->o)));
+    k->rounding = k->p->rounding + rounding_share(k->p) * (k->p->radius + v8d_sqrt(vec8_dot(k->o, k->o)));
     set_least_step2(k);
     Iteration n = newton(k, lanes, trace);
     Lanes found = v8l_mask(n.found), stuck = v8l_mask(n.stuck), at_border = place_roots(k, &n, &found);

@@ -57,7 +57,10 @@ ALWAYS_INLINE PatchPoints bunch_blend(const Patch *p, int k_u, int k_v, bool has
     for (int j = 0; j < k_v; j++) {
         const Vec4 *row = p->p + j * k_u;
         Vec4x8 at = point_times(row, bu[0], has_weight), along = point_times(row, du[0], has_weight);
-        for (int i = 1; i < k_u; i++) add_point(&at, &row[i], bu[i], has_weight), add_point(&along, &row[i], du[i], has_weight);
+        for (int i = 1; i < k_u; i++) {
+            add_point(&at, &row[i], bu[i], has_weight);
+            add_point(&along, &row[i], du[i], has_weight);
+        }
         add_row(&out.value, &at, bv[j], has_weight);
         add_row(&out.by_s, &along, bv[j], has_weight);
         add_row(&out.by_t, &at, dv[j], has_weight);
@@ -65,7 +68,10 @@ ALWAYS_INLINE PatchPoints bunch_blend(const Patch *p, int k_u, int k_v, bool has
     return out;
 }
 
-ALWAYS_INLINE void set_lane(Vec4x8 *out, int i, V4 p) { out->x[i] = p[0], out->y[i] = p[1], out->z[i] = p[2], out->w[i] = p[3]; }
+ALWAYS_INLINE void set_lane(Vec4x8 *out, int i, V4 p)
+{
+    out->x[i] = p[0], out->y[i] = p[1], out->z[i] = p[2], out->w[i] = p[3];
+}
 
 ALWAYS_INLINE PatchPoints bunch_one_by_one(const Patch *p, V8d s, V8d t)
 {

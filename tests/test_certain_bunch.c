@@ -172,8 +172,8 @@ static void rays_that_leave_a_sphere_in_bunches_meet_its_other_side_or_nothing(v
         double chord[BUNCH_WIDTH];
         for (int i = 0; i < BUNCH_WIDTH; i++) {
             const Ray old = k.b.ray[i];
-            Vec3 p = ray_at(&old, k.best[i].t), side = vec(test_range(&r, -1, 1), test_range(&r, -1, 1), test_range(&r, -1, 1));
-            Vec3 d = vec_normalize(side);
+            Vec3 p = ray_at(&old, k.best[i].t);
+            Vec3 d = vec_normalize(vec(test_range(&r, -1, 1), test_range(&r, -1, 1), test_range(&r, -1, 1)));
             double along = vec_dot(d, vec_normalize(p)), start = hit_offset(&k.best[i], &old);
             chord[i] = -2 * along;
             k.b.ray[i] = (Ray){ vec_add(p, vec_scale(vec_normalize(p), copysign(start, along))), d, 0 };

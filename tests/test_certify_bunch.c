@@ -14,7 +14,7 @@ typedef struct {
 
 static Vec3 nearby(TestRandom *r, Vec3 x, double far) { return vec_add(x, vec_scale(random_direction(r), far)); }
 
-/* Towards the tile from some way off: all from one point, and about one direction; or each for itself. */
+/* Rays towards the tile from some way off: all from one point, and about one direction; or each for itself. */
 static void aim_rays(TestRandom *r, const Tile *p, Bunch *k)
 {
     double spread = test_int(r, 0, 3) ? p->radius * pow(10, test_range(r, -8, 0)) : INFINITY;
@@ -27,7 +27,7 @@ static void aim_rays(TestRandom *r, const Tile *p, Bunch *k)
     }
 }
 
-/* Limits, and what each lane remembers; starts[i]: the ray begins at about its root. */
+/* Of n rays, which remember nothing. */
 static void begin_bunch(TestRandom *r, Bunch *k, int n)
 {
     memset(k, 0, sizeof *k);
@@ -55,7 +55,7 @@ static Found clipped(Fixture *f, const Tile *p, const Ray *r, double t_max)
     return found;
 }
 
-/* Are all roots of a ray, but those so near its limits that they may as well be outside them, near the one that was found? */
+/* Are all roots of a ray, but those so near its limits that they may as well be outside, near the one that was found? */
 static bool are_all(const Found *truth, const Ray *r, double t_max, bool is_found, double depth, double error)
 {
     double length = vec_length(r->dir), lo = r->t_min * length, hi = t_max * length;

@@ -26,8 +26,8 @@ extern const char *const judgement_name[JUDGEMENTS];
 
 typedef struct { Judgement judgement; bool is_hit; double t, u, v, seconds; } Verdict;
 
-/* Counts into row. wants_all: all hits are asked for, too. A method that answers bunches is asked again so, the ray going with
- * those of `beside`, JUDGE_BESIDE of any kind. */
+/* Counts into row. wants_all: all hits are asked for, too. A method that answers bunches is asked again so, the ray going
+ * with those of `beside`, JUDGE_BESIDE of any kind. */
 enum { JUDGE_BESIDE = 2 };
 Verdict judge_ray(const Model *m, int method, const Ray *r, const Truth *truth, const Ray beside[], bool wants_all,
                   Trace *trace, Row *row);

@@ -1,6 +1,6 @@
 /* Small fixed runs of `certain`, for counting instructions: count.sh runs this under callgrind, which counts within
- * counted_pass alone. The first rays have tiles halved where they are in doubt, for all that come later: three runs count
- * what those cost, the last one what the first do.
+ * counted_pass alone. The first rays have tiles halved where they are in doubt, for all that come later: all runs but one
+ * count what those cost, the last one what the first do.
  *
  *   count NAME     prints how many rays the run has; without NAME: the names
  *   count --built  prints what it was built with: counts of different compilers are not compared */
@@ -16,6 +16,8 @@ static const CountedRun runs[] = {
     { "teapot-camera", "teapot", "camera", false },
     { "torus-random", "torus", "random", false },
     { "sheet-shadow", "sheet", "shadow", false },
+    { "sphere-grazing", "sphere", "grazing", false },
+    { "sphere-borders", "sphere", "borders", false },
     { "sheet-shadow-first", "sheet", "shadow", true },
 };
 
@@ -33,6 +35,8 @@ static void run(const CountedRun *r)
     double *t = ARENA_ARRAY(a, double, camera.n + RANDOM_RAYS);
     e->shoot(e, &camera, 1, t);
     if (!strcmp(r->set, "random")) set = rays_random(&m, a, RANDOM_RAYS);
+    if (!strcmp(r->set, "grazing")) set = rays_grazing(&m, a, RANDOM_RAYS);
+    if (!strcmp(r->set, "borders")) set = rays_borders(&m, a, RANDOM_RAYS);
     if (!strcmp(r->set, "shadow")) set = rays_shadow(&m, a, &camera, t);
     if (!r->is_first) e->shoot(e, &set, 1, t);
     counted_pass(e, &set, t);

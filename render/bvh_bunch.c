@@ -4,9 +4,6 @@
  * nothing is turned away which the ray meets. Only rays whose directions have the same signs go together, so that they
  * meet the same sides of a box first; others follow. Where few are left, each sees a node's boxes as a ray alone does.
  *
- * Rays of a pencil begin at the root, too (those that go alone have entries, pencil.h): of the nodes on the way, which are
- * looked at once for eight rays, less can be saved than it takes to find the rays' cells.
- *
  * A child waits with the rays that meet it, and with the least t at which they do. Rays are lanes of a mask: of those that
  * are not in it nothing is changed, whatever numbers stand there. */
 #include "render/bvh_bunch.h"

@@ -10,7 +10,7 @@
 #include "render/bvh_wide.h"
 
 #include "render/bvh_walk.h"
-#include "render/pencil.h"
+#include "render/bvh_collapse.h"
 
 #define ROOM_AHEAD 64    /* beyond so many that wait, no node is opened ahead of its turn */
 #define STACK_SIZE (WIDE_MOST_WAITING + ROOM_AHEAD + WIDTH)
@@ -115,13 +115,6 @@ ALWAYS_INLINE float limit_of(const Slabs *s, double t_max) { return float_above(
 
 typedef struct { BvhVisit visit; void *context; } Visitor;
 
-/* Where r enters the tree; NULL: it meets nothing. */
-ALWAYS_INLINE const WideNode *entry_of(const WideBvh *b, const Ray *r, double t_max, Trace *t)
-{
-    bool is_of_pencil = t->apex && b->n_nodes >= PENCIL_LEAST_NODES;
-    return is_of_pencil ? pencil_entry(b, r, t_max, t) : &b->nodes[0];
-}
-
 /* While the n_new children that were met last come from memory: puts the children of what waits below them in its place, if
  * it is a node. They are what the ray needs next, unless it ends before. Returns by how much the stack grows. */
 ALWAYS_INLINE int open_older(const WideBvh *b, Waiting *older, int n_new, const Slabs *r, float t_min, float t_max,
@@ -143,14 +136,13 @@ ALWAYS_INLINE bool traverse(const WideBvh *b, const Ray *r, double *t_max, Visit
     uint64_t *count = t->is_shadow_ray ? &t->counters.light_bv_intersections : &t->counters.bv_intersections;
     ++*count;
     if (b->is_single) return visit_single(b, r, t_max, v.visit, v.context, t);
-    const WideNode *entry = entry_of(b, r, *t_max, t);
-    if (!entry || !use_wide_ray(b, r, *t_max, t)) return false;
+    if (!use_wide_ray(b, r, *t_max, t)) return false;
     Slabs slabs = t->wide.slabs;     /* the visitor's own trees may need another ray */
     Waiting stack[STACK_SIZE];
     bool was_ahead = t->fetches_ahead, ahead = t->fetches_ahead = was_ahead || b->is_large;
     float limit = limit_of(&slabs, *t_max), t_min = float_below((r->t_min - slabs.start) * slabs.scale);
-    int top = meet_children(b, entry, &slabs, t_min, limit, nearest_first, ahead, stack);
-    uint64_t n_boxes = entry->n_children;
+    int top = meet_children(b, &b->nodes[0], &slabs, t_min, limit, nearest_first, ahead, stack);
+    uint64_t n_boxes = b->nodes[0].n_children;
     bool ended = false;
     while (top > 0 && !ended) {
         Waiting next = stack[--top];

@@ -107,9 +107,3 @@ void camera_rays(const Camera *c, const Vec2 at[], int n, int w, int h, RayBunch
     out->t_min = v8d_splat(0);
     bunch_set_rays(out);
 }
-
-Viewpoint camera_viewpoint(const Camera *c, double n)
-{
-    double solid_angle = vec_length(vec_cross(c->right, c->up)) / vec_length2(c->direction);
-    return (Viewpoint){ c->location, n / solid_angle };
-}

@@ -2,7 +2,6 @@
 #ifndef TRIMRAY_CAMERA_H
 #define TRIMRAY_CAMERA_H
 
-#include "render/apex.h"
 #include "render/bunch.h"
 #include "render/xform.h"
 
@@ -40,8 +39,5 @@ Ray camera_ray(const Camera *c, double x, double y, int w, int h);
 
 /* The same for n of them, 1 to BUNCH_WIDTH: sets all of the bunch but its `lane`. */
 void camera_rays(const Camera *c, const Vec2 at[], int n, int w, int h, RayBunch *out);
-
-/* Of a picture of n pixels; an orthographic camera is taken for a perspective one. */
-Viewpoint camera_viewpoint(const Camera *c, double n);
 
 #endif

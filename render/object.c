@@ -64,28 +64,12 @@ static void pass(const Object *o, const Ray *r, const Ray *within, Hit *h)
     h->objects[h->n_objects++] = o;
 }
 
-/* The apex within an object in place of the one outside. */
-typedef struct { Apex *outside, room; } WithinApex;
-
-static void enter(const Object *o, WithinApex *w, Trace *t)
-{
-    w->outside = t->apex;
-    if (!t->apex || !o->is_placed) return;
-    w->room = apex_within(t->apex, &o->placement);
-    t->apex = &w->room;
-}
-
-static void leave(const WithinApex *w, Trace *t) { t->apex = w->outside; }
-
 static bool object_hit(const Shape *shape, const Ray *r, Hit *best, Trace *t)
 {
     const Object *o = (const Object *)shape;
     Ray room;
     const Ray *within = ray_within(o, r, &room);
-    WithinApex w;
-    enter(o, &w, t);
     bool is_hit = shape_hit(o->child, within, best, t);
-    leave(&w, t);
     if (is_hit) pass(o, r, within, best);
     return is_hit;
 }
@@ -95,11 +79,8 @@ static void object_all_hits(const Shape *shape, const Ray *r, HitList *out, Trac
     const Object *o = (const Object *)shape;
     Ray room;
     const Ray *within = ray_within(o, r, &room);
-    WithinApex w;
     size_t first = out->n;
-    enter(o, &w, t);
     shape_all_hits(o->child, within, out, t);
-    leave(&w, t);
     for (size_t i = first; i < out->n; i++) pass(o, r, within, &out->hits[i]);
 }
 
@@ -107,11 +88,7 @@ static bool object_blocks(const Shape *shape, const Ray *r, double t_max, Trace 
 {
     const Object *o = (const Object *)shape;
     Ray room;
-    WithinApex w;
-    enter(o, &w, t);
-    bool blocks = shape_blocks(o->child, ray_within(o, r, &room), t_max, t);
-    leave(&w, t);
-    return blocks;
+    return shape_blocks(o->child, ray_within(o, r, &room), t_max, t);
 }
 
 /* ---- bunches ---- */
@@ -146,10 +123,7 @@ static Lanes object_hit_bunch(const Shape *shape, RayBunch *b, Lanes lanes, Hit 
 {
     const Object *o = (const Object *)shape;
     RayBunch room, *within = bunch_within(o, b, &room);
-    WithinApex w;
-    enter(o, &w, t);
     Lanes hit = shape_hit_bunch(o->child, within, lanes, best, t);
-    leave(&w, t);
     for (Lanes left = hit; left; ) {
         int i = lanes_next(&left);
         pass(o, &b->ray[i], &within->ray[i], &best[i]);
@@ -161,11 +135,7 @@ static Lanes object_blocks_bunch(const Shape *shape, RayBunch *b, Lanes lanes, c
 {
     const Object *o = (const Object *)shape;
     RayBunch room;
-    WithinApex w;
-    enter(o, &w, t);
-    Lanes blocked = shape_blocks_bunch(o->child, bunch_within(o, b, &room), lanes, t_max, t);
-    leave(&w, t);
-    return blocked;
+    return shape_blocks_bunch(o->child, bunch_within(o, b, &room), lanes, t_max, t);
 }
 
 static const Shape *object_bare(const Shape *shape)

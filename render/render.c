@@ -3,7 +3,6 @@
 #include "render/render.h"
 
 #include "render/hash.h"
-#include "render/pencil.h"
 #include "render/shade.h"
 
 #include <limits.h>
@@ -26,7 +25,6 @@ typedef struct {
     const RenderOptions *options;
     RenderSink *sink;
     void *sink_context;
-    Pencils *pencils;                                 /* of the rays from the camera and to lights */
     int n_across, n_tiles;
     atomic_int next_tile, n_done;
     double start;
@@ -121,8 +119,7 @@ static void *work(void *context)
 {
     Worker *w = context;
     Job *job = w->job;
-    PencilMemory pencils = { .all = job->pencils };
-    Trace t = { .scratch = arena_new(), .measures_time = job->options->measures_time, .pencils = &pencils };
+    Trace t = { .scratch = arena_new(), .measures_time = job->options->measures_time };
     while (!atomic_load(&is_interrupted)) {
         int tile = atomic_fetch_add(&job->next_tile, 1);
         if (tile >= job->n_tiles) break;
@@ -168,7 +165,6 @@ RenderResult render_tiles(Scene *s, const RenderOptions *o, RenderSink *sink, vo
 {
     if (!s->tree) scene_prepare(s);
     Job job = { .scene = s, .options = o, .sink = sink, .sink_context = context, .start = stats_now() };
-    job.pencils = pencils_new(camera_viewpoint(&s->camera, (double)o->width * o->height));
     job.n_across = tiles(o->x0, o->x1, o->block_size);
     job.n_tiles = job.n_across * tiles(o->y0, o->y1, o->block_size);
     int n = int_min(o->n_threads > 0 ? o->n_threads : n_cores(), job.n_tiles > 0 ? job.n_tiles : 1);
@@ -179,7 +175,6 @@ RenderResult render_tiles(Scene *s, const RenderOptions *o, RenderSink *sink, vo
     RenderResult result = { .n_threads = run_workers(crew, n) };
     for (int i = 0; i < result.n_threads; i++) counters_add(&result.counters, &crew[i].counters);
     free(workers);
-    pencils_free(job.pencils);
     result.trace_seconds = stats_now() - job.start;
     result.interrupted = atomic_load(&job.n_done) < job.n_tiles;
     atomic_store(&is_interrupted, false);

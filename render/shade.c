@@ -219,7 +219,7 @@ static void walk_texture(Tracer *x, Generation *g, int i)
     int n = at->texture->n_layers;
     k->light.layers = n > FEW_LAYERS ? ARENA_ARRAY(x->trace->scratch, LayerAt, n) : k->few;
     k->light.n = layers_walk(&x->around[i], at, media, k->light.layers, &k->through);
-    k->light.shadow = (Shadow){ at, media, &x->around[i], false, g->kind == RAY_CAMERA, x->trace };
+    k->light.shadow = (Shadow){ at, media, &x->around[i], false, x->trace };
 }
 
 static void light_textures(Tracer *x, Generation *g, Lanes lanes)
@@ -286,13 +286,6 @@ static void shade_surfaces(Tracer *x, Generation *g, Lanes lanes, Pixel out[])
 
 /* ---- the recursion ---- */
 
-static Apex *use_apex(Tracer *x, const Generation *g, Apex *room)
-{
-    if (g->kind != RAY_CAMERA || !x->trace->pencils || x->scene->camera.kind != CAMERA_PERSPECTIVE) return NULL;
-    *room = apex_make(g->rays->ray[0].origin);
-    return room;
-}
-
 /* What lies nearer than its own error may be the surface that the ray has just left: the next counts, past which the ray is
  * made to begin. */
 static bool find_next(Tracer *x, Generation *g, int i, RayKind kind)
@@ -312,11 +305,8 @@ static bool find_next(Tracer *x, Generation *g, int i, RayKind kind)
 /* The nearest hits. */
 static Lanes find_hits(Tracer *x, Generation *g, Lanes lanes)
 {
-    Apex room;
     RayKind kind = g->was_reflected ? RAY_REFLECTED : RAY_CAMERA;
-    x->trace->apex = use_apex(x, g, &room);
     Lanes hit = scene_hit_bunch(x->scene, g->rays, lanes, kind, g->hit, x->trace);
-    x->trace->apex = NULL;
     for (Lanes left = hit; left; ) {
         int i = lanes_next(&left);
         if (g->kind != RAY_CAMERA && g->hit[i].t <= g->hit[i].t_error && !find_next(x, g, i, kind)) hit &= ~(1u << i);

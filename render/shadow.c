@@ -186,11 +186,7 @@ static Rgb area_light(const Shadow *q, const Light *l, Rgb color)
 
 static bool light_from_point(const Shadow *q, const Light *l, LightAt *lit)
 {
-    Apex apex = apex_make(l->position);
-    if (q->has_neighbours && q->trace->pencils) q->trace->apex = &apex;
-    bool arrives = light_from(q, &lit->direction, &l->position, &lit->color);
-    q->trace->apex = NULL;
-    return arrives;
+    return light_from(q, &lit->direction, &l->position, &lit->color);
 }
 
 bool shadow_light(const Shadow *q, const Light *l, LightAt *lit)
@@ -226,13 +222,9 @@ static Lanes blocked_lanes(RayBunch *rays, Lanes lanes, const double t_max[], co
                            Lanes *may_be_filtered)
 {
     Trace *t = q->trace;
-    Apex apex = apex_make(l->position);
-    if (q->has_neighbours && t->pencils) t->apex = &apex;
     t->blockers.aim = l;
     t->counters.shadow_rays += (uint64_t)__builtin_popcount(lanes);
-    Lanes blocked = scene_blocks_bunch(q->around->scene, rays, lanes, t_max, may_be_filtered, t);
-    t->apex = NULL;
-    return blocked;
+    return scene_blocks_bunch(q->around->scene, rays, lanes, t_max, may_be_filtered, t);
 }
 
 Lanes shadow_light_bunch(const Shadow *const q[], Lanes lanes, const RayBunch *seen_by, const SurfaceLanes *at,

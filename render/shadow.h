@@ -11,7 +11,6 @@ typedef struct {
     const Medium *media;         /* of the ray that found the surface */
     Surroundings *around;
     bool has_areas;              /* area lights are sampled; else they are points */
-    bool has_neighbours;         /* the camera sees the surface: its shadow rays are like those of the last pixel */
     Trace *trace;
 } Shadow;
 

@@ -3,7 +3,6 @@
 #ifndef TRIMRAY_SHAPE_H
 #define TRIMRAY_SHAPE_H
 
-#include "render/apex.h"
 #include "render/arena.h"
 #include "render/blocker.h"
 #include "render/box.h"
@@ -28,8 +27,6 @@ typedef struct {
     bool fetches_ahead;      /* a large tree is being walked: what comes next is worth fetching from memory ahead */
     WideRay wide;            /* the last ray that met a tree of boxes */
     Blockers blockers;
-    Apex *apex;              /* of the ray that is being cast, if it shares one with its neighbours; else NULL */
-    PencilMemory *pencils;   /* what is known of such rays; NULL: no ray has an apex */
     /* The frame of the last direction, for shapes that see a ray as two planes: unit d, perpendicular unit n1 and n2. */
     struct { Vec3 dir; double length; Vec3 d, n1, n2; } frame;
     /* The last root that was accepted, by its patch: rays that leave from it find their own surface again there, or are sure

@@ -2,9 +2,8 @@
 #ifndef TRIMRAY_TESTS_BOX_SCENES_H
 #define TRIMRAY_TESTS_BOX_SCENES_H
 
+#include "render/bvh.h"
 #include "tests/test.h"
-
-#include "render/pencil.h"
 
 /* Truth: slabs in quadruple precision, which lose 2^-110 or so of what counts here. */
 typedef __float128 Quad;
@@ -47,7 +46,6 @@ typedef struct {
     Box boxes[MOST];
     Bvh *tree;
     Vec3 apex;
-    Pencils *pencils;
     double size;                 /* about that of the tree */
 } Scene;
 
@@ -102,13 +100,11 @@ static inline Scene any_scene(TestRandom *r, bool is_whole)
     }
     s.tree = bvh_build(s.arena, s.boxes, s.n, BVH_SAH);
     s.apex = is_whole ? whole_vector(r, 40) : any_apex(r, &s, middle);
-    s.pencils = pencils_new((Viewpoint){ vec_add(middle, any_vector(r, 8 * s.size)), exp2(test_range(r, 4, 24)) });
     return s;
 }
 
 static inline void free_scene(Scene *s)
 {
-    pencils_free(s->pencils);
     arena_free(s->arena);
 }
 

@@ -4,7 +4,6 @@
 #include "render/bunch.h"
 #include "render/bvh.h"
 #include "render/hit_list.h"
-#include "render/pencil.h"
 #include "render/scene.h"
 
 #include <string.h>
@@ -176,20 +175,19 @@ static Scene *any_scene(Arena *a, TestRandom *r)
 
 /* ---- random bunches ---- */
 
-typedef struct { RayBunch b; BunchLane lane[BUNCH_WIDTH]; Vec3 apex; } Bunch;
+typedef struct { RayBunch b; BunchLane lane[BUNCH_WIDTH]; } Bunch;
 
 /* From a point, or to it: t at 1 is there. Beside each other, more or less, or each where it likes. */
 static void any_bunch(TestRandom *r, Bunch *out)
 {
     bool is_from_apex = test_int(r, 0, 1);
     double by = test_int(r, 0, 3) ? exp2(test_range(r, -12, -2)) : 4;
-    Vec3 to = any_vector(r, 2);
-    out->apex = any_vector(r, 8);
+    Vec3 to = any_vector(r, 2), apex = any_vector(r, 8);
     out->b.n = test_int(r, 0, 3) ? BUNCH_WIDTH : test_int(r, 1, BUNCH_WIDTH);
     out->b.lane = out->lane;
     for (int i = 0; i < out->b.n; i++) {
         Vec3 other = vec_add(to, any_vector(r, by));
-        Vec3 origin = is_from_apex ? out->apex : other, end = is_from_apex ? other : out->apex;
+        Vec3 origin = is_from_apex ? apex : other, end = is_from_apex ? other : apex;
         out->lane[i] = (BunchLane){ .seed = test_bits(r) };
         out->b.ray[i] = (Ray){ origin, vec_sub(end, origin), 0 };
     }
@@ -215,11 +213,8 @@ static void check_same_hit(const Hit *h, const Hit *alone, unsigned seed, int k,
 static void check_hits(const Scene *s, Bunch *q, RayKind kind, Trace *together, unsigned seed, int k)
 {
     Hit best[BUNCH_WIDTH] = { 0 };
-    Apex apex = apex_make(q->apex);
     Trace alone = { .scratch = together->scratch };
-    if (together->pencils) together->apex = &apex;
     Lanes hit = scene_hit_bunch(s, &q->b, bunch_all(&q->b), kind, best, together);
-    together->apex = NULL;
     for (int i = 0; i < q->b.n; i++) {
         Hit h;
         if (!vec_is_finite(q->b.ray[i].dir)) continue;
@@ -245,13 +240,10 @@ static void check_shadows(const Scene *s, Bunch *q, Trace *together, unsigned se
 {
     double t_max[BUNCH_WIDTH];
     for (int i = 0; i < BUNCH_WIDTH; i++) t_max[i] = .999;
-    Apex apex = apex_make(q->apex);
     Lanes lanes = bunch_all(&q->b) & (k % 4 ? 255u : 0x5Au), may_be_filtered;
     Trace alone = { .scratch = together->scratch };
     for (int i = 0; i < q->b.n; i++) q->lane[i].left_out = 7;
-    if (together->pencils) together->apex = &apex;
     Lanes blocked = scene_blocks_bunch(s, &q->b, lanes, t_max, &may_be_filtered, together);
-    together->apex = NULL;
     CHECK(!(blocked & ~lanes) && !(may_be_filtered & ~lanes), "seed %u, bunch %d: %x of %x", seed, k, blocked, lanes);
     for (int i = 0; i < q->b.n; i++) {
         const Ray *r = &q->b.ray[i];
@@ -275,16 +267,13 @@ static void a_bunch_finds_what_its_rays_find_alone(void **state)
         TestRandom r = test_random(seed);
         Arena *a = arena_new(), *scratch = arena_new();
         Scene *s = any_scene(a, &r);
-        Pencils *pencils = pencils_new((Viewpoint){ vec(0, 0, -8), 1e4 });
-        PencilMemory memory = { .all = pencils };
-        Trace together = { .scratch = scratch, .pencils = seed % 2 ? &memory : NULL };
+        Trace together = { .scratch = scratch };
         for (int k = 0; k < 60; k++) {
             static Bunch q;
             any_bunch(&r, &q);
             check_hits(s, &q, k % 2 ? RAY_REFLECTED : RAY_CAMERA, &together, seed, k);
             check_shadows(s, &q, &together, seed, k);
         }
-        pencils_free(pencils);
         scene_release(s);
         arena_free(scratch);
         arena_free(a);

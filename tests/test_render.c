@@ -6,7 +6,7 @@
 
 enum { WIDTH = 100, HEIGHT = 70 };   /* not multiples of a tile */
 
-/* A swarm of balls in a space of its own: a tree that rays from the camera and to the light enter by cells (pencil.h). */
+/* A swarm of balls in a space of its own, with a tree. */
 static void add_swarm(Scene *s)
 {
     enum { N = 90 };

@@ -313,7 +313,7 @@ ALWAYS_INLINE FrameResult meet_tile(Solve *k, const Tile *tile, PatchRay *r)
 
 /* ---- rays in doubt ---- */
 
-/* The frame's answer for a half, unless the paraboloid knows better: it takes a quarter of the time of Newton's method, too. */
+/* The frame's answer for a half, unless the paraboloid knows better: in a quarter of the time of Newton's method, too. */
 ALWAYS_INLINE FrameResult meet_half(Solve *k, const Halves *h, int i, PatchRay *r)
 {
     halves_fetch_ahead(&h->tiles[i]);
@@ -336,7 +336,7 @@ static bool clip_in_doubt(const Tile *tile, PatchRay *r, RootVisit visit, void *
     return clip_roots(tile, r, visit, context, trace);
 }
 
-/* Is the first half the farther one? Where it is the nearest root that is asked for, what lies behind it is not looked at. */
+/* Is the first half the farther one? Where the nearest root is asked for, what lies behind it is not looked at. */
 ALWAYS_INLINE bool is_second_nearer(const Halves *h, const PatchRay *r)
 {
     return vec_dot(r->d, vec_sub(tile_vec(h->tiles[1].middle), tile_vec(h->tiles[0].middle))) < 0;

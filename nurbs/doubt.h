@@ -13,7 +13,8 @@ struct Halves {
 /* Made by whichever thread asks first; NULL: the tile has been halved often enough, or is as good as flat. */
 const Halves *tile_halves(const Tile *tile);
 
-/* Five lines of the cache, far from all others: if they are there, they come from memory while the tile itself is looked at. */
+/* Five lines of the cache, far from all others: if there are halves, they come from memory while the tile itself is looked
+ * at. */
 static inline void halves_fetch_ahead(const Tile *tile)
 {
     const char *at = (const char *)atomic_load_explicit(&((Tile *)tile)->halves, memory_order_relaxed);

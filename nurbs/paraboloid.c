@@ -108,7 +108,8 @@ ALWAYS_INLINE double bound(const Tile *f, const Paraboloid *q, const V4 *net, in
 {
     double w_min = INFINITY, w_max = 0;
     for (int i = 0; i < n; i++) w_min = double_min(w_min, net[i][3]), w_max = double_max(w_max, net[i][3]);
-    double flat = length_of(q->at) + f->length_s + f->length_t, bent = length_of(q->ss) + length_of(q->st) + length_of(q->tt);
+    double flat = length_of(q->at) + f->length_s + f->length_t;
+    double bent = length_of(q->ss) + length_of(q->st) + length_of(q->tt);
     double sizes = f->patch->radius + f->radius + flat + bent;
     double error = (0.5 * DBL_EPSILON * ROUNDINGS * sizes + tile_net_error(f->patch)) * w_max / w_min;
     double lost = left.v * flat + double_max(w_max - w, w - w_min) * bent;

@@ -135,7 +135,8 @@ static void a_ray_through_a_point_of_the_tile_does_not_miss_it(void **state)
             if (n % 2) {
                 Vec4 value, by_s, by_t;
                 tile_evaluate(h.tile, &s, &t, &value, &by_s, &by_t);
-                Vec3 p = vec4_project(value), along = vec(by_s.x - p.x * by_s.w, by_s.y - p.y * by_s.w, by_s.z - p.z * by_s.w);
+                Vec3 p = vec4_project(value);
+                Vec3 along = vec(by_s.x - p.x * by_s.w, by_s.y - p.y * by_s.w, by_s.z - p.z * by_s.w);
                 d = vec_normalize(vec_add(vec_normalize(along), vec_scale(d, pow(10, -test_range(&r, 1, 16)))));
             }
             PatchRay ray = patch_ray(vec_sub(at, vec_scale(d, test_range(&r, 0, 3))), d, 0, INFINITY);

@@ -99,7 +99,8 @@ static void what_is_left_out_of_a_ray_through_the_pole_has_no_other_root(void **
             double before = pow(10, test_range(&r, -3, 3)), length = vec_length(chord);
             Vec3 d = vec_scale(vec_normalize(chord), ends ? -1 : 1);
             Vec3 from = vec_sub(vec_add(f.patch->origin, ends ? other : f.cone.pole), vec_scale(d, before));
-            double pole = ends ? before + length : before, rounding = patch_rounding(f.patch, vec_sub(from, f.patch->origin));
+            double pole = ends ? before + length : before;
+            double rounding = patch_rounding(f.patch, vec_sub(from, f.patch->origin));
             PatchRay ray = patch_ray(from, d, ends ? 0 : pole * (1 + 1e-15) + rounding, ends ? pole : INFINITY);
             if (length < 1000 * rounding) continue;
             CHECK(!pole_cone_is_out_of_reach(&f.cone, f.patch, &ray), "seed %u: %g away", seed, length);
@@ -133,7 +134,7 @@ static void rays_meet_the_pole_of_a_sphere_once(void **state)
     enum { RAYS = 2000 };
     for (unsigned n = 0; n < RAYS; n++) {
         Vec3 pole = vec(0, 0, n % 2 ? 1 : -1), d = random_direction(&r);
-        double before = test_range(&r, 2, 9), chord = -2 * vec_dot(pole, d);   /* to where the ray leaves, or came in if < 0 */
+        double before = test_range(&r, 2, 9), chord = -2 * vec_dot(pole, d);   /* to where it leaves, or came in if < 0 */
         Ray ray = { vec_sub(pole, vec_scale(d, before)), d, 0 };
         Hit hit = { .t = INFINITY };
         t.seed = n + 1;

@@ -105,7 +105,8 @@ void pencils_free(Pencils *p)
 /* Lights and trees seldom differ in less than two coordinates and an address. */
 static uint64_t hash_of(const WideBvh *tree, Vec3 apex)
 {
-    return ((uintptr_t)tree >> 6 ^ hash_bits(apex.x) ^ hash_bits(apex.y) << 1 ^ hash_bits(apex.z) << 2) * 0x9E3779B97F4A7C15u;
+    uint64_t bits = hash_bits(apex.x) ^ hash_bits(apex.y) << 1 ^ hash_bits(apex.z) << 2;
+    return ((uintptr_t)tree >> 6 ^ bits) * 0x9E3779B97F4A7C15u;
 }
 
 static const Pencil *find(const Pencils *p, uint64_t hash, const WideBvh *tree, Vec3 apex)

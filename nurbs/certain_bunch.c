@@ -3,10 +3,11 @@
 #include "nurbs/certain_bunch.h"
 
 #include "nurbs/certain.h"
+#include "nurbs/doubt.h"
 #include "render/bvh_bunch.h"
 
 /* A tile is halved so often for lanes in doubt before they go on alone. */
-enum { MAX_LEVEL = 6 };
+enum { MAX_LEVEL = 2 };
 
 typedef struct {
     RayBunch *b;
@@ -109,7 +110,7 @@ ALWAYS_INLINE Lanes solve_part(Search *k, const Tile *part, Lanes lanes)
 }
 
 /* A side that is one point has proofs of its own for single rays. */
-static const Tile *halves_for(const Doubt *d)
+static const Halves *halves_for(const Doubt *d)
 {
     return d->level == MAX_LEVEL || d->part->patch->collapsed ? NULL : tile_halves(d->part);
 }
@@ -123,8 +124,8 @@ static void search_parts(Search *k, const Tile *tile, Lanes lanes)
         Doubt d = stack[--top];
         if (!k->nearest && !(d.lanes &= ~k->hit)) continue;
         Lanes left = solve_part(k, d.part, d.lanes);
-        const Tile *halves = left ? halves_for(&d) : NULL;
-        for (int i = 0; i < 2 && halves; i++) stack[top++] = (Doubt){ &halves[i], left, d.level + 1 };
+        const Halves *halves = left ? halves_for(&d) : NULL;
+        for (int i = 0; i < 2 && halves; i++) stack[top++] = (Doubt){ &halves->tiles[i], left, d.level + 1 };
         while (left && !halves) go_alone(k, d.part, lanes_next(&left));
     }
 }

@@ -17,7 +17,6 @@
 
 #include <float.h>
 #include <math.h>
-#include <pthread.h>
 
 static const double unit = 0.5 * DBL_EPSILON;
 
@@ -26,6 +25,15 @@ static const double unit = 0.5 * DBL_EPSILON;
 #define ROUNDED_UP (1 + 0x1p-42)
 
 static Vec3 xyz(Vec4 p) { return vec(p.x, p.y, p.z); }
+
+/* A vector is the first three lanes; the fourth one may be anything. */
+ALWAYS_INLINE V4 lanes_of(Vec3 x) { return (V4){ x.x, x.y, x.z, x.z }; }
+
+ALWAYS_INLINE double dot3(V4 a, V4 b)
+{
+    V4 ab = a * b;
+    return ab[0] + ab[1] + ab[2];
+}
 
 static void to_floats(Vec3 x, float out[3]) { out[0] = (float)x.x, out[1] = (float)x.y, out[2] = (float)x.z; }
 
@@ -54,16 +62,22 @@ static void make_source(const Tile *f, const Vec4 *net, Source *out)
 {
     const Patch *p = f->patch;
     Vec3 middle = tile_vec(f->middle);
-    out->k_u = p->k_u, out->k_v = p->k_v, out->half_s = tile_vec(f->half_s), out->half_t = tile_vec(f->half_t);
+    out->half_s = tile_vec(f->half_s), out->half_t = tile_vec(f->half_t);
     for (int i = 0; i < p->k_u * p->k_v; i++) out->net[i] = patch_point_about(net[i], middle);
+}
+
+ALWAYS_INLINE void cut_net(Vec4 *net, int k_u, int k_v, TilePlace at)
+{
+    restrict_net(net, k_u, k_v, true, at.s0, at.s0 + at.ds);
+    restrict_net(net, k_u, k_v, false, at.t0, at.t0 + at.dt);
 }
 
 EVERY_X86
 void tile_net(const Patch *p, TilePlace at, Vec4 *net)
 {
     for (int i = 0; i < p->k_u * p->k_v; i++) net[i] = p->p[i];
-    restrict_net(net, p->k_u, p->k_v, true, at.s0, at.s0 + at.ds);
-    restrict_net(net, p->k_u, p->k_v, false, at.t0, at.t0 + at.dt);
+    if (p->k_u == 4 && p->k_v == 4) cut_net(net, 4, 4, at);    /* unrolled */
+    else cut_net(net, p->k_u, p->k_v, at);
 }
 
 TilePlaces tile_cut(const Patch *p, TilePlace at, bool along_u, Vec4 *net, Vec4 *first)
@@ -86,7 +100,10 @@ ALWAYS_INLINE double root_of_squares(double x, double y) { return sqrt(x * x + y
 ALWAYS_INLINE double net_radius(const Vec4 *net, int n)
 {
     double most2 = 0;
-    for (int i = 0; i < n; i++) most2 = double_max(most2, vec_length2(xyz(net[i])) / (net[i].w * net[i].w));
+    for (int i = 0; i < n; i++) {
+        V4 p = v4_load(&net[i]);
+        most2 = double_max(most2, dot3(p, p) / (p[3] * p[3]));
+    }
     return sqrt(most2);
 }
 
@@ -99,15 +116,16 @@ ALWAYS_INLINE Spread derivative_spread(const Source *p, const Vec4 *net, int ste
 {
     int n_i = step == 1 ? p->k_u - 1 : p->k_u, n_j = step == 1 ? p->k_v : p->k_v - 1;
     double along2 = 0, across2 = 0, w = 0;
+    V4 from = lanes_of(middle), up = lanes_of(normal);
     for (int j = 0; j < n_j; j++)
         for (int i = 0; i < n_i; i++) {
             const Vec4 *q = net + j * p->k_u + i;
-            Vec4 d = vec4_scale(vec4_sub(q[step], q[0]), scale);
-            Vec3 off = vec_sub(xyz(d), middle);
-            double height = vec_dot(off, normal);
+            V4 d = (v4_load(q + step) - v4_load(q)) * scale, off = d - from;
+            double height = dot3(off, up);
+            V4 flat = off - up * height;
             along2 = double_max(along2, height * height);
-            across2 = double_max(across2, vec_length2(vec_sub(off, vec_scale(normal, height))));
-            w = double_max(w, fabs(d.w));
+            across2 = double_max(across2, dot3(flat, flat));
+            w = double_max(w, fabs(d[3]));
         }
     return (Spread){ sqrt(along2), sqrt(across2), w };
 }
@@ -219,11 +237,12 @@ ALWAYS_INLINE Vec4 product_coefficient(const Source *p, int i, int j, double u0,
 ALWAYS_INLINE double polynomial_deviation(const Source *p)
 {
     double most2 = 0;
+    V4 a = lanes_of(p->half_s), b = lanes_of(p->half_t);
     for (int j = 0; j < p->k_v; j++) {
-        Vec3 row = vec_scale(p->half_t, 2.0 * j / (p->k_v - 1) - 1);
+        V4 row = b * (2.0 * j / (p->k_v - 1) - 1);
         for (int i = 0; i < p->k_u; i++) {
-            Vec3 at = vec_add(row, vec_scale(p->half_s, 2.0 * i / (p->k_u - 1) - 1));
-            most2 = double_max(most2, vec_length2(vec_sub(xyz(p->net[j * p->k_u + i]), at)));
+            V4 r = v4_load(&p->net[j * p->k_u + i]) - (row + a * (2.0 * i / (p->k_u - 1) - 1));
+            most2 = double_max(most2, dot3(r, r));
         }
     }
     return sqrt(most2);
@@ -272,32 +291,48 @@ static void middle_of(const Patch *p, const Vec4 *net, Vec4 *value, Vec4 *by_s, 
 
 /* The middle of the box of what separates a net's points from those of the parallelogram about `at`: moved by that, it is
  * as far from what bends away to one side as to the other. Any place will do, bounds are of what is stored. */
-ALWAYS_INLINE Vec3 middle_residual(const Patch *p, const Vec4 *net, Vec3 at, Vec3 half_s, Vec3 half_t)
+ALWAYS_INLINE Vec3 middle_residual(const Vec4 *net, int k_u, int k_v, Vec3 at, Vec3 half_s, Vec3 half_t)
 {
-    Vec3 lo = vec(INFINITY, INFINITY, INFINITY), hi = vec_neg(lo);
-    for (int j = 0; j < p->k_v; j++) {
-        Vec3 row = vec_add(at, vec_scale(half_t, 2.0 * j / (p->k_v - 1) - 1));
-        for (int i = 0; i < p->k_u; i++) {
-            Vec3 flat = vec_add(row, vec_scale(half_s, 2.0 * i / (p->k_u - 1) - 1));
-            Vec3 r = vec_sub(vec4_project(net[j * p->k_u + i]), flat);
-            lo = vec(double_min(lo.x, r.x), double_min(lo.y, r.y), double_min(lo.z, r.z));
-            hi = vec(double_max(hi.x, r.x), double_max(hi.y, r.y), double_max(hi.z, r.z));
+    V4 lo = v4_splat(INFINITY), hi = -lo, a = lanes_of(half_s), b = lanes_of(half_t), middle = lanes_of(at);
+    for (int j = 0; j < k_v; j++) {
+        V4 row = middle + b * (2.0 * j / (k_v - 1) - 1);
+        for (int i = 0; i < k_u; i++) {
+            const Vec4 *p = &net[j * k_u + i];
+            V4 r = v4_load(p) / p->w - (row + a * (2.0 * i / (k_u - 1) - 1));
+            lo = v4_min(lo, r), hi = v4_max(hi, r);
         }
     }
-    return vec_scale(vec_add(lo, hi), 0.5);
+    Vec4 m;
+    v4_store(&m, (lo + hi) * 0.5);
+    return xyz(m);
 }
 
 /* Half the derivatives at the middle, and where their parallelogram lies best. */
-static void set_frame(const Patch *p, const Vec4 *net, Tile *out)
+ALWAYS_INLINE void set_frame(const Patch *p, const Vec4 *net, int k_u, int k_v, Tile *out)
 {
     Vec4 value, by_s, by_t;
     middle_of(p, net, &value, &by_s, &by_t);
     Vec3 at = vec4_project(value);
     Vec3 half_s = vec_scale(vec_sub(xyz(by_s), vec_scale(at, by_s.w)), 0.5 / value.w);
     Vec3 half_t = vec_scale(vec_sub(xyz(by_t), vec_scale(at, by_t.w)), 0.5 / value.w);
-    to_floats(vec_add(at, middle_residual(p, net, at, half_s, half_t)), out->middle);
+    to_floats(vec_add(at, middle_residual(net, k_u, k_v, at, half_s, half_t)), out->middle);
     to_floats(half_s, out->half_s), to_floats(half_t, out->half_t);
     out->w_middle = p->is_polynomial ? 1 : (float)value.w;
+}
+
+/* For constant orders unrolled. */
+ALWAYS_INLINE void make(const Patch *p, const Vec4 *net, int k_u, int k_v, Tile *out)
+{
+    set_frame(p, net, k_u, k_v, out);
+    Source source;
+    make_source(out, net, &source);
+    source.k_u = k_u, source.k_v = k_v;
+    out->length_s = float_up(vec_length(source.half_s) * ROUNDED_UP);
+    out->length_t = float_up(vec_length(source.half_t) * ROUNDED_UP);
+    bound_margin(&source, out);
+    double deviation = p->is_polynomial ? polynomial_deviation(&source) : rational_deviation(&source);
+    deviation = deviation * ROUNDED_UP + deviation_error(&source, out);
+    out->deviation = deviation < FLT_MAX ? float_up(deviation) : INFINITY;
 }
 
 EVERY_X86
@@ -306,15 +341,9 @@ void tile_make(const Patch *p, const Vec4 *net, TilePlace place, Tile *out)
     const double per_unit = 1 / TILE_PLACE_UNIT;
     *out = (Tile){ .patch = p, .s0 = (uint16_t)(place.s0 * per_unit), .t0 = (uint16_t)(place.t0 * per_unit),
                    .ds = (uint16_t)(place.ds * per_unit), .dt = (uint16_t)(place.dt * per_unit) };
-    set_frame(p, net, out);
-    Source source;
-    make_source(out, net, &source);
-    out->length_s = float_up(vec_length(source.half_s) * ROUNDED_UP);
-    out->length_t = float_up(vec_length(source.half_t) * ROUNDED_UP);
-    bound_margin(&source, out);
-    double deviation = p->is_polynomial ? polynomial_deviation(&source) : rational_deviation(&source);
-    deviation = deviation * ROUNDED_UP + deviation_error(&source, out);
-    out->deviation = deviation < FLT_MAX ? float_up(deviation) : INFINITY;
+    if (p->k_u == 4 && p->k_v == 4) make(p, net, 4, 4, out);
+    else if (p->k_u == 3 && p->k_v == 3) make(p, net, 3, 3, out);
+    else make(p, net, p->k_u, p->k_v, out);
 }
 
 TrimRect tile_rect(const Patch *p, TilePlace at)
@@ -331,8 +360,8 @@ ALWAYS_INLINE double longest_difference(int k_u, const Vec4 *net, double radius,
     for (int j = 0; j < n_j; j++)
         for (int i = 0; i < n_i; i++) {
             const Vec4 *q = net + j * k_u + i;
-            Vec4 d = vec4_sub(vec4_sub(q[a + b], q[a]), vec4_sub(q[b], q[0]));
-            most2 = double_max(most2, vec_length2(xyz(d))), most_w = double_max(most_w, fabs(d.w));
+            V4 d = (v4_load(q + a + b) - v4_load(q + a)) - (v4_load(q + b) - v4_load(q));
+            most2 = double_max(most2, dot3(d, d)), most_w = double_max(most_w, fabs(d[3]));
         }
     return sqrt(most2) + radius * most_w;
 }
@@ -354,47 +383,4 @@ TileBend tile_bend(int k_u, int k_v, const Vec4 *points)
     double x = (ss + st) / length_s, y = (st + tt) / length_t;
     return (TileBend){ .variation = 0.5 * sqrt(x * x + y * y),
                        .along_u = ss / length_s + st / length_t, .along_v = tt / length_t + st / length_s };
-}
-
-/* ---- halving on demand ---- */
-
-/* One lock for all tiles: it is held for microseconds, once in a tile's life. */
-static pthread_mutex_t halving_lock = PTHREAD_MUTEX_INITIALIZER;
-
-/* A tile whose derivatives vary by less than this is as good as flat, and its halves would tell no more. */
-#define AS_GOOD_AS_FLAT 0x1p-12
-
-static bool may_be_halved(const Tile *tile)
-{
-    return tile->patch->group && tile->n_halvings < TILE_MAX_HALVINGS && !(tile->turn + tile->stretch < AS_GOOD_AS_FLAT);
-}
-
-static const Tile *make_halves(const Tile *tile)
-{
-    const Patch *p = tile->patch;
-    Tile *out = ARENA_ARRAY(p->group->arena, Tile, 2);
-    Vec4 net[NURBS_MAX_ORDER * NURBS_MAX_ORDER], first[NURBS_MAX_ORDER * NURBS_MAX_ORDER];
-    TilePlace place = tile_place(tile);
-    tile_net(p, place, net);
-    TileBend bend = tile_bend(p->k_u, p->k_v, net);
-    TilePlaces halves = tile_cut(p, place, !(bend.along_u < bend.along_v), net, first);
-    tile_make(p, first, halves.first, &out[0]);
-    tile_make(p, net, halves.second, &out[1]);
-    out[0].n_halvings = out[1].n_halvings = tile->n_halvings + 1;
-    return out;
-}
-
-const Tile *tile_halves(const Tile *tile)
-{
-    Tile *t = (Tile *)tile;     /* the one thing in a tile that changes, and under a lock */
-    const Tile *halves = atomic_load_explicit(&t->halves, memory_order_acquire);
-    if (halves || !may_be_halved(tile)) return halves;
-    pthread_mutex_lock(&halving_lock);
-    halves = atomic_load_explicit(&t->halves, memory_order_relaxed);
-    if (!halves) {
-        halves = make_halves(tile);
-        atomic_store_explicit(&t->halves, halves, memory_order_release);
-    }
-    pthread_mutex_unlock(&halving_lock);
-    return halves;
 }

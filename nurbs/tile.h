@@ -48,9 +48,10 @@
 _Static_assert(TILE_FIRST_HALVINGS + TILE_MAX_HALVINGS <= 15, "places are whole numbers of their unit");
 
 typedef struct Tile Tile;
+typedef struct Halves Halves;
 struct Tile {
     const Patch *patch;
-    _Atomic(const Tile *) halves;    /* two side by side; NULL: not made yet */
+    _Atomic(const Halves *) halves;  /* for rays in doubt (doubt.h); NULL: not made yet */
     uint16_t s0, t0, ds, dt;         /* where it lies in the patch's [0, 1], in TILE_PLACE_UNIT: exact */
     float middle[3];                 /* of its parallelogram: near S(1/2, 1/2), about the patch's origin */
     float radius;                    /* |S - middle| <= radius, with the margin */
@@ -95,9 +96,6 @@ TilePlaces tile_cut(const Patch *p, TilePlace place, bool along_u, Vec4 *net, Ve
 /* The homogeneous numerator and its derivatives by s and t of the tile: about the patch's origin. s and t become those that
  * were evaluated: within 2^-53 of the patch's parameters. */
 void tile_evaluate(const Tile *tile, double *s, double *t, Vec4 *value, Vec4 *by_s, Vec4 *by_t);
-
-/* Its two halves, made by whichever thread asks first; NULL: it has been halved often enough. */
-const Tile *tile_halves(const Tile *tile);
 
 /* Before it is worth a frame: about how much `variation` would be, and the shares of it that halving along u, along v would
  * halve. For k_u * k_v homogeneous points. */

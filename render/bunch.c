@@ -23,6 +23,13 @@ void bunch_set_rays(RayBunch *b)
     b->has_frames = b->has_slabs = false;
 }
 
+void bunch_fill(RayBunch *b, Lanes lanes)
+{
+    const Ray *any = &b->ray[__builtin_ctz(lanes)];
+    for (Lanes empty = bunch_all(b) & ~lanes; empty; ) b->ray[lanes_next(&empty)] = *any;
+    bunch_set_lanes(b);
+}
+
 static Lanes hit_one_by_one(const Shape *s, RayBunch *b, Lanes lanes, Hit best[], Trace *t)
 {
     Lanes hit = 0;

@@ -53,6 +53,9 @@ static inline Lanes bunch_all(const RayBunch *b) { return (1u << b->n) - 1; }
 enum { FEW_LANES = 2 };
 static inline bool lanes_are_few(Lanes lanes) { return __builtin_popcount(lanes) <= FEW_LANES; }
 
+/* Lanes that are not asked for become like one that is. */
+void bunch_fill(RayBunch *b, Lanes lanes);
+
 /* The number of the first lane; removes it. */
 static inline int lanes_next(Lanes *lanes)
 {

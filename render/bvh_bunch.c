@@ -11,18 +11,10 @@
 #include "render/bvh_walk.h"
 #include "render/pencil.h"
 
-/* So many rays, or fewer, see a node's boxes one ray after the other: eight boxes at once take about a quarter of what
- * eight boxes one after the other take for eight rays. */
-#define FEW 3
+/* So many rays, or fewer, see a node's boxes one ray after the other, eight boxes at once. */
+#define FEW 2
 
 /* ---- rays and the tree's bounds ---- */
-
-ALWAYS_INLINE V8l v8d_at_most(V8d a, V8d b)
-{
-    V8l out;
-    for (int i = 0; i < BUNCH_WIDTH; i++) out[i] = a[i] <= b[i] ? -1 : 0;
-    return out;
-}
 
 ALWAYS_INLINE void enter_axis(float lo, float hi, V8d o, V8d d, V8d *enter, V8d *leave)
 {
@@ -48,16 +40,11 @@ ALWAYS_INLINE Lanes enter_box(const Box *box, const RayBunch *b, V8d t_max, V8d 
 
 /* ---- slabs ---- */
 
-ALWAYS_INLINE V8d v8d_max_abs(const Vec3x8 *a)
-{
-    return v8d_max(v8d_abs(a->x), v8d_max(v8d_abs(a->y), v8d_max(v8d_abs(a->z), v8d_splat(0))));
-}
-
 /* As find_start. */
 ALWAYS_INLINE void find_starts(const WideBvh *tree, const RayBunch *b, BunchSlabs *s)
 {
     V8d most = v8d_splat(NEAR * tree->largest), enter;
-    V8l is_near = v8d_at_most(v8d_max_abs(&b->origin), most) & v8d_at_most(v8d_abs(b->t_min), most);
+    V8l is_near = v8d_at_most(vec8_max_abs(b->origin), most) & v8d_at_most(v8d_abs(b->t_min), most);
     s->start = b->t_min, s->meeting = v8l_mask(is_near);
     if (s->meeting == (1u << BUNCH_WIDTH) - 1) return;
     s->meeting |= enter_box(&tree->bounds, b, v8d_splat(INFINITY), &enter);
@@ -94,7 +81,7 @@ ALWAYS_INLINE void use_slabs(const WideBvh *tree, RayBunch *b)
     if (b->has_slabs && is_within(&tree->bounds, &b->slabs_bounds)) return;
     BunchSlabs *s = &b->slabs;
     find_starts(tree, b, s);
-    s->scale = v8d_max_abs(&b->dir);
+    s->scale = vec8_max_abs(b->dir);
     set_axis(s, 0, tree, b->origin.x, b->dir.x);
     set_axis(s, 1, tree, b->origin.y, b->dir.y);
     set_axis(s, 2, tree, b->origin.z, b->dir.z);

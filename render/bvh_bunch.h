@@ -9,8 +9,8 @@
  * have ended. */
 typedef Lanes (*BvhBunchVisit)(void *context, uint32_t i, RayBunch *b, Lanes lanes, double t_max[], Trace *t);
 
-/* bvh_traverse and bvh_any for the rays of `lanes`: each visits at least the items whose boxes it meets before t_max[i], once;
- * nearest first as far as the rays agree about that. Boxes are counted once for each ray. Returns the rays that visits
+/* bvh_traverse and bvh_any for the rays of `lanes`: each visits at least the items whose boxes it meets before t_max[i],
+ * once; nearest first as far as the rays agree about that. Boxes are counted once for each ray. Returns the rays that visits
  * ended. t_max has BUNCH_WIDTH numbers, whatever is in those of other rays. */
 Lanes bvh_traverse_bunch(const Bvh *tree, RayBunch *b, Lanes lanes, double t_max[], BvhBunchVisit visit, void *context,
                          Trace *t);

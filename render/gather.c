@@ -82,14 +82,6 @@ static void gather(Gathering *g, const Light *l, int quality)
     else gather_from(g, l, &lit);
 }
 
-void gather_light(Gathering *g, int quality)
-{
-    if (!answers_light(g)) return;
-    g->shadow.has_areas = quality >= Q_AREA_LIGHTS;
-    const Scene *s = g->shadow.around->scene;
-    for (size_t i = 0; i < s->n_lights; i++) gather(g, &s->lights[i], quality);
-}
-
 /* ---- neighbours ---- */
 
 /* Surfaces in lanes; those that are not asked for repeat another. */
@@ -152,10 +144,11 @@ void gather_light_bunch(Gathering *const of[], Lanes lanes, const RayBunch *seen
     const Scene *s = of[__builtin_ctz(lanes)]->shadow.around->scene;
     lanes = answering(of, lanes, quality);
     if (!lanes) return;
-    set_places(of, lanes, &at, &normal);
+    bool are_together = !lanes_are_few(lanes) && quality >= Q_SHADOWS;
+    if (are_together) set_places(of, lanes, &at, &normal);
     for (size_t k = 0; k < s->n_lights; k++) {
         const Light *l = &s->lights[k];
-        if (l->is_plain && quality >= Q_SHADOWS) {
+        if (l->is_plain && are_together) {
             gather_plain(of, lanes, seen_by, &at, &normal, l);
             continue;
         }
@@ -167,15 +160,4 @@ void gather_light_bunch(Gathering *const of[], Lanes lanes, const RayBunch *seen
             bunch_end(seen_by, i, t);
         }
     }
-}
-
-Rgb gathered_light(const Gathering *g)
-{
-    Rgb sum = rgb(0, 0, 0);
-    for (int i = 0; i < g->n; i++) {
-        const LayerAt *l = &g->layers[i];
-        Rgb light = rgb_add(rgb_mul(rgb_scale(l->pigment, l->opacity), l->diffuse), l->shine);
-        sum = rgb_add(sum, rgb_mul(l->weight, light));
-    }
-    return sum;
 }

@@ -10,7 +10,7 @@
  *
  * Nothing that a ray meets is missed. Let S be the sum of the largest coordinates of apex and tree, u = 2^-53, and
  * delta = 2^-40 S.
- * 1. The ray begins at the apex; or its line passes within delta of it, which is computed here (goes_to_apex), and the
+ * 1. The ray begins at the apex; or its line passes within delta of it, which is computed here (pencil_entry.c), and the
  *    ray ends no more than delta beyond the place nearest to it. Then each of its points is within 2 delta of the line from
  *    the apex to its origin: the whole segment is, since both of its ends are within delta, and what is beyond is within
  *    2 delta of the apex.
@@ -20,49 +20,21 @@
  * 3. So the function that says on which side of a plane of the pyramid a point is, a - a1 z, is wrong by less than 2 sqrt 2
  *    delta + 64 u S, and by 8 u S for what pyramid.c rounds: 4 delta are enough. The window is that of the tree's bounds as
  *    much wider, and its own roundings are covered by WINDOW_ROUNDING. */
-#include "render/pencil.h"
+#include "render/pencil_cells.h"
 
-#include "render/hash.h"
 #include "render/pyramid.h"
-#include "render/simd.h"
 
 #include <pthread.h>
 
-#define DELTA 0x1p-40
 #define SLACK 4
 #define WINDOW_ROUNDING 0x1p-48
 
-/* Rays that are to be expected in a cell, at least. To make one takes as long as some thirty steps through a node, and the
- * first rays to come there wait for it from memory: with half as many, or four times as many, a picture takes longer. */
-#define RAYS_IN_CELL 128
+/* Rays that are to be expected in a cell, at least. To make one takes as long as some thirty steps through a node, the first
+ * rays to come there wait for it from memory, and neighbours that go together part where it ends: with a quarter as many,
+ * pictures take 2 % longer; with many more they are as fast. */
+#define RAYS_IN_CELL 512
 
-/* A place in a window is a number of so many bits along either side. */
-#define PLACE_BITS 16
-#define PLACES 0x1p16
-
-typedef struct Cell Cell;
-struct Cell {
-    const WideNode *entry;           /* NULL: there is nothing to be met */
-    _Atomic(Cell *) parts;           /* its four quarters; NULL: it is not quartered; &not_made: nothing is known yet */
-};
 static Cell not_made;
-
-typedef struct {
-    double lo[2], side;              /* the window, a square */
-    double scale, origin[2];         /* places on a unit of the face, and before the window; of a face through which nothing
-                                        of the tree is seen 0 and 1: no ray is at a place that counts */
-    Cell cell;                       /* all of it */
-} Face;
-
-typedef struct Pencil Pencil;
-struct Pencil {
-    const WideBvh *tree;
-    Vec3 apex;
-    double delta, density;           /* density: rays that are to be expected on a unit of a face, or in a steradian */
-    Pencils *all;
-    Face faces[6];                   /* of axis k: 2k towards it, 2k + 1 away */
-    Pencil *older;                   /* in its bucket */
-};
 
 struct Pencils {
     Viewpoint camera;
@@ -100,12 +72,6 @@ void pencils_free(Pencils *p)
     if (!p) return;
     pthread_mutex_destroy(&p->lock);
     arena_free(p->arena);
-}
-
-/* Lights and trees seldom differ in less than two coordinates and an address. */
-static uint64_t hash_of(const WideBvh *tree, Vec3 apex)
-{
-    return ((uintptr_t)tree >> 6 ^ hash_bits(apex.x) ^ hash_bits(apex.y) << 1 ^ hash_bits(apex.z) << 2) * 0x9E3779B97F4A7C15u;
 }
 
 static const Pencil *find(const Pencils *p, uint64_t hash, const WideBvh *tree, Vec3 apex)
@@ -185,8 +151,7 @@ static Pencil *pencil_new(Pencils *all, const WideBvh *tree, const Apex *apex)
     return p;
 }
 
-__attribute__((noinline))
-static const Pencil *find_or_make(Pencils *all, uint64_t hash, const WideBvh *tree, const Apex *apex)
+const Pencil *pencil_find(Pencils *all, uint64_t hash, const WideBvh *tree, const Apex *apex)
 {
     const Pencil *found = find(all, hash, tree, apex->at);
     if (found) return found;
@@ -271,11 +236,6 @@ static void make_way(const Pencil *p, int face, int x, int y)
     pthread_mutex_unlock(&p->all->lock);
 }
 
-/* ---- rays ---- */
-
-/* The face, x and y in one number. */
-static uint64_t place_of(int face, int x, int y) { return (uint64_t)face << 32 | (uint64_t)x << 16 | (uint64_t)y; }
-
 /* What places in one cell after so many halvings have in common. */
 static uint64_t mask_of(int level)
 {
@@ -284,8 +244,7 @@ static uint64_t mask_of(int level)
 }
 
 /* Walks down to the cell of a place, and remembers it. */
-__attribute__((noinline))
-static const WideNode *find_cell(PencilSlot *slot, int face, int x, int y)
+const WideNode *pencil_find_cell(PencilSlot *slot, int face, int x, int y)
 {
     const Pencil *p = slot->pencil;
     const Cell *c = &p->faces[face].cell, *parts;
@@ -300,91 +259,4 @@ static const WideNode *find_cell(PencilSlot *slot, int face, int x, int y)
     slot->place = place_of(face, x, y);
     slot->mask = mask_of(PLACE_BITS - bit);
     return slot->entry = c->entry;
-}
-
-/* What is shorter has no quotients. */
-#define LEAST_WAY 0x1p-900
-
-/* Does the ray, which does not begin there, pass the apex within delta, and end no more than delta beyond it? from: its
- * origin, as seen from the apex. The distance that the cross product says is rounded by 8 u |from| at most, and so is where
- * the ray is nearest to the apex; from as near as FAR times S that is less than delta / 2. (And none of the squares may
- * over- or underflow.) */
-#define FAR 0x1p8
-ALWAYS_INLINE bool goes_to_apex(const Pencil *p, const Ray *r, double t_max, Vec3 from)
-{
-    double delta = p->delta, length2 = vec_length2(r->dir), most = 0.25 * delta * delta * length2;
-    double distance = vec_max_abs(from);
-    bool is_near = vec_length2(vec_cross(from, r->dir)) <= most && most > 0x1p-900 && most < 0x1p900;
-    bool ends = t_max * length2 <= 0.25 * delta * vec_max_abs(r->dir) - vec_dot(from, r->dir);
-    return is_near && ends && r->t_min >= 0 && distance > LEAST_WAY && distance <= FAR / DELTA * delta;
-}
-
-/* The direction of the ray's points from the apex; false: it is none of the pencil. */
-ALWAYS_INLINE bool find_way(const Pencil *p, const Ray *r, double t_max, Vec3 *way)
-{
-    Vec3 from = vec_sub(r->origin, p->apex);
-    bool is_from_apex = from.x == 0 && from.y == 0 && from.z == 0;
-    *way = is_from_apex ? r->dir : from;
-    return is_from_apex ? r->t_min >= 0 && vec_max_abs(r->dir) > LEAST_WAY : goes_to_apex(p, r, t_max, from);
-}
-
-ALWAYS_INLINE PencilSlot *use_slot(const WideBvh *tree, Trace *t)
-{
-    Vec3 apex = apex_at(t->apex);
-    uint64_t hash = hash_of(tree, apex);
-    PencilSlot *s = &t->pencils->of[hash >> 58];
-    _Static_assert(N_PENCIL_SLOTS == 1 << (64 - 58), "a slot for each number");
-    if (s->tree != tree || !vec_is_same(s->apex, apex))
-        *s = (PencilSlot){ .tree = tree, .apex = apex, .pencil = find_or_make(t->pencils->all, hash, tree, t->apex),
-                           .place = UINT64_MAX, .mask = UINT64_MAX };
-    return s;
-}
-
-/* The largest coordinate says the face, the two others over it the place. (Of numbers that are none, nowhere.) */
-ALWAYS_INLINE const WideNode *entry_towards(PencilSlot *slot, Vec3 way)
-{
-    const double w[5] = { way.x, way.y, way.z, way.x, way.y };
-    double x = fabs(way.x), y = fabs(way.y), z = fabs(way.z);
-    int axis = x >= y && x >= z ? 0 : y >= z ? 1 : 2, face = 2 * axis + (w[axis] < 0);
-    const Face *f = &slot->pencil->faces[face];
-    double scale = f->scale / fabs(w[axis]);
-    double at_x = w[axis + 1] * scale - f->origin[0], at_y = w[axis + 2] * scale - f->origin[1];
-    if (!(at_x >= 0 && at_x < PLACES && at_y >= 0 && at_y < PLACES)) return NULL;
-    int place_x = (int)at_x, place_y = (int)at_y;
-    if (((place_of(face, place_x, place_y) ^ slot->place) & slot->mask) == 0) return slot->entry;
-    return find_cell(slot, face, place_x, place_y);
-}
-
-EVERY_X86
-const WideNode *pencil_entry(const WideBvh *tree, const Ray *r, double t_max, Trace *t)
-{
-    PencilSlot *slot = use_slot(tree, t);
-    Vec3 way;
-    return find_way(slot->pencil, r, t_max, &way) ? entry_towards(slot, way) : &tree->nodes[0];
-}
-
-/* Adds ray i to those that enter by the same node; the number of nodes then. */
-static int add_entry(PencilEntry out[], int n, const WideNode *node, int i)
-{
-    int k = 0;
-    while (k < n && out[k].node != node) k++;
-    if (k == n) out[n++] = (PencilEntry){ node, 0 };
-    out[k].lanes |= 1u << i;
-    return n;
-}
-
-EVERY_X86
-int pencil_entries(const WideBvh *tree, const RayBunch *b, Lanes lanes, const double t_max[], Trace *t,
-                   PencilEntry out[BUNCH_WIDTH])
-{
-    PencilSlot *slot = use_slot(tree, t);
-    int n = 0;
-    while (lanes) {
-        int i = lanes_next(&lanes);
-        Vec3 way;
-        bool is_of_it = find_way(slot->pencil, &b->ray[i], t_max[i], &way);
-        const WideNode *node = is_of_it ? entry_towards(slot, way) : &tree->nodes[0];
-        if (node) n = add_entry(out, n, node, i);
-    }
-    return n;
 }

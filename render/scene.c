@@ -183,10 +183,23 @@ bool scene_blocks(const Scene *s, const Ray *r, double t_max, bool *may_be_filte
     return is_blocked;
 }
 
-Lanes scene_hit_bunch(const Scene *s, RayBunch *b, RayKind kind, Hit best[], Trace *t)
+static Lanes hit_one_by_one(const Scene *s, const RayBunch *b, Lanes lanes, RayKind kind, Hit best[], Trace *t)
 {
-    for (int i = 0; i < b->n; i++) best[i].t = INFINITY;
-    return shape_tree_hit_bunch(s->tree->shapes, b, bunch_all(b), hidden_from(kind), best, t);
+    Lanes hit = 0;
+    while (lanes) {
+        int i = lanes_next(&lanes);
+        bunch_begin(b, i, t);
+        if (scene_hit(s, &b->ray[i], kind, &best[i], t)) hit |= 1u << i;
+        bunch_end(b, i, t);
+    }
+    return hit;
+}
+
+Lanes scene_hit_bunch(const Scene *s, RayBunch *b, Lanes lanes, RayKind kind, Hit best[], Trace *t)
+{
+    if (lanes_are_few(lanes)) return hit_one_by_one(s, b, lanes, kind, best, t);
+    for (Lanes left = lanes; left; ) best[lanes_next(&left)].t = INFINITY;
+    return shape_tree_hit_bunch(s->tree->shapes, b, lanes, hidden_from(kind), best, t);
 }
 
 Lanes scene_blocks_bunch(const Scene *s, RayBunch *b, Lanes lanes, const double t_max[], Lanes *may_be_filtered, Trace *t)

@@ -67,9 +67,9 @@ bool scene_hit(const Scene *s, const Ray *r, RayKind kind, Hit *best, Trace *t);
  * in another, or without shadow. */
 bool scene_blocks(const Scene *s, const Ray *r, double t_max, bool *may_be_filtered, Trace *t);
 void scene_filters(const Scene *s, const Ray *r, HitList *out, Trace *t);
-/* The same for rays of a bunch: the lanes that were hit (best[i].t is INFINITY of all others), that are blocked; those that
+/* The same for `lanes` of a bunch, whose vectors are not needed where lanes_are_few: those that were hit (best[i].t is INFINITY of the others), that are blocked; those that
  * may be filtered. */
-Lanes scene_hit_bunch(const Scene *s, RayBunch *b, RayKind kind, Hit best[], Trace *t);
+Lanes scene_hit_bunch(const Scene *s, RayBunch *b, Lanes lanes, RayKind kind, Hit best[], Trace *t);
 Lanes scene_blocks_bunch(const Scene *s, RayBunch *b, Lanes lanes, const double t_max[], Lanes *may_be_filtered, Trace *t);
 
 typedef enum { SHADOW_NOTHING, SHADOW_FILTER, SHADOW_BLOCKER } ShadowKind;

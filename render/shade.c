@@ -1,5 +1,7 @@
 /* Whitted's recursion ([Whi80]) with POV-Ray's rules: the layers of a texture from the top down, each with its own light;
- * what shines through the last one; what each layer mirrors. */
+ * what shines through the last one; what each layer mirrors. Eight camera rays go through it together, and so do the rays
+ * that follow from them: a bunch for what is mirrored, one for what shines through; where only some of the eight go on, it
+ * has lanes that are empty. */
 #include "render/shade.h"
 
 #include "render/gather.h"
@@ -11,12 +13,13 @@ enum { Q_LIGHT = 2, Q_TRANSMISSION = 6, Q_REFLECTION = 8, Q_FOG = 9 };
 /* POV-Ray: directions this near are not bent (|k - 1|). */
 static const double NO_BEND = 1e-10;
 
-/* Everything that the rays of one camera ray share. */
+/* Everything that the rays of a bunch of camera rays share. */
 typedef struct {
     const Scene *scene;
     Trace *trace;
     int quality;
-    Surroundings around;
+    BunchLane *lane;
+    Surroundings around[BUNCH_WIDTH];
 } Tracer;
 
 /* How a ray came about. */
@@ -24,71 +27,37 @@ typedef struct {
     int level;
     bool is_straight;            /* it went on through a surface, without a level of its own */
     double weight;               /* an upper bound of what it adds to the pixel, for adc_bailout */
-    RayKind kind;                /* what just happened to it: for the counters */
-    bool was_reflected;          /* ever: what objects hide from */
     const Medium *media;
 } Path;
 
 enum { FEW_LAYERS = 2 };         /* so many are seen without asking for memory */
 
-/* The layers of a texture at a surface, between their being walked and the light on them being gathered. */
+/* The layers of a texture at a surface. */
 typedef struct {
-    Tracer *tracer;
-    const Path *path;
     Rgb through;                 /* what is left for what lies behind them all */
     Gathering light;
     LayerAt few[FEW_LAYERS];
 } Shading;
 
-static Pixel trace_ray(Tracer *x, Ray *r, const Path *path);
+/* The rays of a bunch that came about in the same way, and what is found of each. */
+typedef struct {
+    RayKind kind;                /* what just happened to them */
+    bool was_reflected;          /* ever: what objects hide from */
+    RayBunch *rays;
+    Path path[BUNCH_WIDTH];
+    Hit hit[BUNCH_WIDTH];
+    RayRoot root[BUNCH_WIDTH];   /* of the hits: rays that go on from there leave from it */
+    Surface at[BUNCH_WIDTH];
+    Shading shading[BUNCH_WIDTH];
+} Generation;
+
+static void trace_rays(Tracer *x, Generation *g, Lanes lanes, Pixel out[]);
 
 static Rgb pixel_rgb(Pixel p) { return rgb(p.r, p.g, p.b); }
 
-/* ---- layers ---- */
-
-static double opacity_of(const Scene *s, Color c)
+static void set_pixel(Pixel *out, Rgb c, double transmit)
 {
-    double filter = c.filter;
-    if (s->version < 3.7) filter *= rgb_max(color_rgb(c));
-    return 1 - filter - (double)c.transmit;
-}
-
-static double transmit_of(Rgb through) { return double_min(fabs(rgb_grey(through)), 1); }
-
-static Rgb conserved(Rgb through, Rgb r)
-{
-    return rgb_mul(through, rgb(fmin(1, 1 - r.r), fmin(1, 1 - r.g), fmin(1, 1 - r.b)));
-}
-
-/* The ratio of the indices is only asked for by `fresnel`. */
-static Rgb reflectivity(Tracer *x, const Surface *at, const Medium *media, const Finish *f, Rgb pigment)
-{
-    if (!f->has_reflection) return rgb(0, 0, 0);
-    double ratio = f->reflection_fresnel ? media_cross(&x->around, media, at->hit).ior_ratio : 1;
-    return finish_reflectivity(f, pigment, at->cos_view, ratio);
-}
-
-/* What a layer shines with by itself. */
-static Rgb own_light(const Scene *s, const Finish *f) { return rgb_add(rgb_mul(f->ambient, s->ambient_light), f->emission); }
-
-/* Walks the layers from the top down for as long as anything comes through; returns how many were seen. */
-static int walk_layers(Tracer *x, const Surface *at, const Medium *media, LayerAt *out, Rgb *through)
-{
-    const Scene *s = x->scene;
-    Rgb F = rgb(1, 1, 1);
-    int n = 0;
-    for (int i = at->texture->n_layers - 1; i >= 0 && transmit_of(F) > s->adc_bailout; i--) {
-        const Layer *layer = &at->texture->layers[i];
-        const Finish *f = &layer->finish;
-        Color c = surface_color(at, layer);
-        Rgb pigment = color_rgb(c);
-        Rgb r = reflectivity(x, at, media, f, pigment);
-        out[n++] = (LayerAt){ f, pigment, F, opacity_of(s, c), r, own_light(s, f), rgb(0, 0, 0) };
-        F = rgb_mul(F, rgb_add(rgb_scale(pigment, c.filter), rgb(c.transmit, c.transmit, c.transmit)));
-        if (f->conserve_energy) F = conserved(F, r);
-    }
-    *through = F;
-    return n;
+    out->r = c.r, out->g = c.g, out->b = c.b, out->transmit = transmit;
 }
 
 /* ---- secondary rays ---- */
@@ -98,270 +67,322 @@ static Vec3 mirrored(const Surface *at)
     return vec_normalize(vec_add(at->ray->dir, vec_scale(at->normal, 2 * at->cos_view)));
 }
 
-static Pixel trace_from(Tracer *x, const Surface *at, Vec3 dir, const Path *path)
+/* Lists of media that are made for the lanes between the two are forgotten. */
+typedef struct { MediaScope of[BUNCH_WIDTH]; } MediaScopes;
+
+static void open_media(Tracer *x, Lanes lanes, MediaScopes *out)
 {
-    Ray r = { surface_leave(at, dir), dir, 0 };
-    return trace_ray(x, &r, path);
+    while (lanes) {
+        int i = lanes_next(&lanes);
+        out->of[i] = media_open(&x->around[i]);
+    }
 }
 
-static Pixel trace_mirrored(Tracer *x, const Surface *at, const Path *from, double weight)
+/* The last first, as they lie in memory. */
+static void close_media(Tracer *x, Lanes lanes, const MediaScopes *scopes)
 {
-    Path path = { from->level + 1, false, from->weight * weight, RAY_REFLECTED, true, from->media };
-    MediaScope scope = media_open(&x->around);
-    Pixel seen = trace_from(x, at, mirrored(at), &path);
-    media_close(&x->around, scope);
-    seen.transmit = 0;
-    return seen;
+    for (int i = BUNCH_WIDTH - 1; i >= 0; i--)
+        if (lanes >> i & 1) media_close(&x->around[i], scopes->of[i]);
 }
 
-/* The ray beyond the surface; or, *is_total, totally reflected. */
-static Pixel trace_bent(Tracer *x, const Surface *at, const Path *from, const Crossing *cross, double weight, bool *is_total)
+static void begin_generation(Tracer *x, const Generation *from, RayKind kind, Generation *g, RayBunch *room)
 {
+    g->kind = kind, g->was_reflected = from->was_reflected || kind == RAY_REFLECTED;
+    g->rays = room;
+    room->n = from->rays->n, room->lane = x->lane;
+}
+
+/* From the surface that ray i of the generation before has met. */
+static void send_ray(const Generation *from, int i, Vec3 dir, Path path, Generation *g)
+{
+    g->rays->ray[i] = (Ray){ surface_leave(&from->at[i], dir), dir, 0 };
+    g->rays->lane[i].root = from->root[i];
+    g->path[i] = path;
+}
+
+/* weight: upper bounds of what the mirrors leave. */
+static void trace_mirrored(Tracer *x, const Generation *from, Lanes lanes, const double weight[], Pixel out[])
+{
+    Generation g;
+    RayBunch rays;
+    MediaScopes scopes;
+    begin_generation(x, from, RAY_REFLECTED, &g, &rays);
+    open_media(x, lanes, &scopes);
+    for (Lanes left = lanes; left; ) {
+        int i = lanes_next(&left);
+        const Path *p = &from->path[i];
+        send_ray(from, i, mirrored(&from->at[i]), (Path){ p->level + 1, false, p->weight * weight[i], p->media }, &g);
+    }
+    trace_rays(x, &g, lanes, out);
+    close_media(x, lanes, &scopes);
+    while (lanes) out[lanes_next(&lanes)].transmit = 0;
+}
+
+/* Sends the ray beyond surface i; false: it is totally reflected. */
+static bool send_bent(const Generation *from, int i, const Crossing *cross, double weight, Generation *g)
+{
+    const Surface *at = &from->at[i];
+    const Path *p = &from->path[i];
     double k = cross->bend, c = at->cos_view, s = 1 + k * k * (c * c - 1);
     bool is_straight = fabs(k - 1) < NO_BEND;
-    *is_total = !is_straight && s < 0;
-    if (*is_total) return trace_mirrored(x, at, from, weight);
+    if (!is_straight && s < 0) return false;
     Vec3 dir = at->ray->dir;
     if (!is_straight) dir = vec_normalize(vec_add(vec_scale(dir, k), vec_scale(at->normal, k * c - sqrt(s))));
-    Path path = { from->level + !is_straight, is_straight, from->weight * weight, RAY_TRANSMITTED, from->was_reflected,
-                  cross->after };
-    return trace_from(x, at, dir, &path);
+    send_ray(from, i, dir, (Path){ p->level + !is_straight, is_straight, p->weight * weight, cross->after }, g);
+    return true;
 }
 
-/* What comes through, faded by the way up to here if that led through the interior. */
-static Pixel trace_through(Tracer *x, const Surface *at, const Path *from, Rgb through, bool *is_total)
+static void fade(const Hit *h, Pixel *seen)
 {
-    MediaScope scope = media_open(&x->around);
-    Crossing cross = media_cross(&x->around, from->media, at->hit);
-    Pixel seen = trace_bent(x, at, from, &cross, fmax(rgb_max(through), 0), is_total);
-    media_close(&x->around, scope);
-    if (!cross.was_inside) return seen;
-    Rgb fade = interior_fade(hit_interior(at->hit), at->hit->t);
-    return (Pixel){ seen.r * fade.r, seen.g * fade.g, seen.b * fade.b, seen.transmit * rgb_grey(fade) };
+    Rgb by = interior_fade(hit_interior(h), h->t);
+    set_pixel(seen, rgb_mul(pixel_rgb(*seen), by), seen->transmit * rgb_grey(by));
 }
 
-static Rgb by_exponent(Rgb c, double exponent)
+/* What comes through, faded by the way up to here if that led through the interior. Returns the lanes of rays that are
+ * totally reflected. */
+static Lanes trace_through(Tracer *x, const Generation *from, Lanes lanes, Pixel out[])
 {
-    if (exponent == 1) return c;
-    return rgb(pow(c.r, 1 / exponent), pow(c.g, 1 / exponent), pow(c.b, 1 / exponent));
+    Generation g;
+    RayBunch rays;
+    MediaScopes scopes;
+    double weight[BUNCH_WIDTH];
+    Lanes total = 0, inside = 0;
+    begin_generation(x, from, RAY_TRANSMITTED, &g, &rays);
+    open_media(x, lanes, &scopes);
+    for (Lanes left = lanes; left; ) {
+        int i = lanes_next(&left);
+        Crossing cross = media_cross(&x->around[i], from->path[i].media, &from->hit[i]);
+        weight[i] = fmax(rgb_max(from->shading[i].through), 0);
+        if (cross.was_inside) inside |= 1u << i;
+        if (!send_bent(from, i, &cross, weight[i], &g)) total |= 1u << i;
+    }
+    trace_rays(x, &g, lanes & ~total, out);
+    if (total) trace_mirrored(x, from, total, weight, out);
+    close_media(x, lanes, &scopes);
+    while (inside) {
+        int i = lanes_next(&inside);
+        fade(&from->hit[i], &out[i]);
+    }
+    return total;
 }
 
-/* For adc_bailout: with `fresnel` what it is here, else the most that it can be. */
-static double mirror_weight(const LayerAt *l)
+/* Adds to out what comes from behind the surfaces; returns the lanes of rays that are totally reflected. */
+static Lanes add_behind(Tracer *x, const Generation *g, Lanes lanes, Pixel out[])
 {
-    const Finish *f = l->finish;
-    if (!f->has_reflection) return 0;
-    return f->reflection_fresnel ? rgb_max(l->reflectivity) : fmax(rgb_max(f->reflection_min), rgb_max(f->reflection_max));
+    Lanes clear = 0;
+    Pixel behind[BUNCH_WIDTH];
+    for (Lanes left = lanes; left; ) {
+        int i = lanes_next(&left);
+        if (layers_transmit(g->shading[i].through) > x->scene->adc_bailout) clear |= 1u << i;
+    }
+    if (!clear) return 0;
+    Lanes total = trace_through(x, g, clear, behind);
+    while (clear) {
+        int i = lanes_next(&clear);
+        bool is_total = total >> i & 1;
+        Rgb through = g->shading[i].through, seen = pixel_rgb(behind[i]), own = pixel_rgb(out[i]);
+        set_pixel(&out[i], rgb_add(own, is_total ? seen : rgb_mul(seen, through)),
+                  is_total ? 0 : behind[i].transmit * layers_transmit(through));
+    }
+    return total;
 }
 
-/* What all layers mirror, by one ray. */
-static Rgb reflections(Tracer *x, const Surface *at, const LayerAt *layers, int n, const Path *path)
+/* Adds what all layers mirror, by one ray. */
+static void add_mirrored(Tracer *x, const Generation *g, Lanes lanes, Pixel out[])
 {
-    double weight = 0;
-    for (int i = 0; i < n; i++) weight = fmax(weight, mirror_weight(&layers[i]));
-    Rgb sum = rgb(0, 0, 0);
-    if (weight == 0) return sum;
-    Rgb seen = pixel_rgb(trace_mirrored(x, at, path, weight));
-    for (int i = 0; i < n; i++)
-        sum = rgb_add(sum, rgb_mul(layers[i].reflectivity, by_exponent(seen, layers[i].finish->reflection_exponent)));
-    return sum;
+    Lanes shiny = 0;
+    double weight[BUNCH_WIDTH];
+    Pixel seen[BUNCH_WIDTH];
+    for (Lanes left = lanes; left; ) {
+        int i = lanes_next(&left);
+        weight[i] = layers_mirror_weight(g->shading[i].light.layers, g->shading[i].light.n);
+        if (weight[i] != 0) shiny |= 1u << i;
+    }
+    if (!shiny) return;
+    trace_mirrored(x, g, shiny, weight, seen);
+    while (shiny) {
+        int i = lanes_next(&shiny);
+        const Gathering *on = &g->shading[i].light;
+        Rgb mirror = layers_mirrored(on->layers, on->n, pixel_rgb(seen[i]));
+        set_pixel(&out[i], rgb_add(pixel_rgb(out[i]), mirror), out[i].transmit);
+    }
+}
+
+/* ---- textures ---- */
+
+/* The texture has layers, and light is wanted. */
+static void walk_texture(Tracer *x, Generation *g, int i)
+{
+    const Surface *at = &g->at[i];
+    Shading *k = &g->shading[i];
+    const Medium *media = g->path[i].media;
+    int n = at->texture->n_layers;
+    k->light.layers = n > FEW_LAYERS ? ARENA_ARRAY(x->trace->scratch, LayerAt, n) : k->few;
+    k->light.n = layers_walk(&x->around[i], at, media, k->light.layers, &k->through);
+    k->light.shadow = (Shadow){ at, media, &x->around[i], false, g->kind == RAY_CAMERA, x->trace };
+}
+
+static void light_textures(Tracer *x, Generation *g, Lanes lanes)
+{
+    Gathering *of[BUNCH_WIDTH];
+    for (Lanes left = lanes; left; ) {
+        int i = lanes_next(&left);
+        walk_texture(x, g, i);
+        x->lane[i].root = g->root[i];
+        of[i] = &g->shading[i].light;
+    }
+    gather_light_bunch(of, lanes, g->rays, x->quality);
+}
+
+static void shade_surfaces(Tracer *x, Generation *g, Lanes lanes, Pixel out[]);
+
+/* Between two entries of its map a texture is both of them, each lit, mirroring and letting through for itself. */
+static void shade_map(Tracer *x, Generation *g, int i, Pixel out[])
+{
+    TextureChoice choices[2];
+    Surface whole = g->at[i];
+    Pixel sum = { 0 }, seen[BUNCH_WIDTH];
+    int n = texture_choose(whole.texture->map, whole.texture_point, choices);
+    for (int j = 0; j < n; j++) {
+        g->at[i] = surface_with(&whole, &choices[j]);
+        shade_surfaces(x, g, 1u << i, seen);
+        Rgb part = rgb_scale(pixel_rgb(seen[i]), choices[j].share);
+        set_pixel(&sum, rgb_add(pixel_rgb(sum), part), sum.transmit + choices[j].share * seen[i].transmit);
+    }
+    g->at[i] = whole;
+    out[i] = sum;
+}
+
+/* A texture that is not of layers alone; or light is not wanted (+Q0, +Q1): then there is the top layer's pigment. */
+static void shade_unlit(Tracer *x, Generation *g, int i, Pixel out[])
+{
+    const Surface *at = &g->at[i];
+    int n = at->texture->n_layers;
+    if (at->texture->map) shade_map(x, g, i, out);
+    else set_pixel(&out[i], n == 0 ? rgb(0, 0, 0) : color_rgb(surface_color(at, &at->texture->layers[n - 1])), 0);
+}
+
+/* The surfaces that rays have met. */
+static void shade_surfaces(Tracer *x, Generation *g, Lanes lanes, Pixel out[])
+{
+    Lanes lit = 0;
+    while (lanes) {
+        int i = lanes_next(&lanes);
+        const Texture *texture = g->at[i].texture;
+        if (!texture->map && texture->n_layers > 0 && x->quality >= Q_LIGHT) lit |= 1u << i;
+        else shade_unlit(x, g, i, out);
+    }
+    if (!lit) return;
+    light_textures(x, g, lit);
+    for (Lanes left = lit; left; ) {
+        int i = lanes_next(&left);
+        const Gathering *on = &g->shading[i].light;
+        set_pixel(&out[i], layers_light(on->layers, on->n), 0);
+    }
+    if (!x->scene->needs_secondary_rays) return;
+    Lanes total = x->quality >= Q_TRANSMISSION ? add_behind(x, g, lit, out) : 0;
+    if (x->quality >= Q_REFLECTION) add_mirrored(x, g, lit & ~total, out);
 }
 
 /* ---- the recursion ---- */
 
-/* Without light (+Q0, +Q1) there is the top layer's pigment alone. */
-static Pixel flat_color(const Surface *at)
+static Apex *use_apex(Tracer *x, const Generation *g, Apex *room)
 {
-    Color c = surface_color(at, &at->texture->layers[at->texture->n_layers - 1]);
-    return (Pixel){ c.r, c.g, c.b, 0 };
+    if (g->kind != RAY_CAMERA || !x->trace->pencils || x->scene->camera.kind != CAMERA_PERSPECTIVE) return NULL;
+    *room = apex_make(g->rays->ray[0].origin);
+    return room;
 }
 
-/* at->texture has layers, and light is wanted. */
-static void walk_texture(Shading *k, Tracer *x, const Surface *at, const Path *path)
+/* What lies nearer than its own error may be the surface that the ray has just left: the next counts, past which the ray is
+ * made to begin. */
+static bool find_next(Tracer *x, Generation *g, int i, RayKind kind)
 {
-    int n = at->texture->n_layers;
-    k->tracer = x, k->path = path;
-    k->light.layers = n > FEW_LAYERS ? ARENA_ARRAY(x->trace->scratch, LayerAt, n) : k->few;
-    k->light.n = walk_layers(x, at, path->media, k->light.layers, &k->through);
-    k->light.shadow = (Shadow){ at, path->media, &x->around, false, path->kind == RAY_CAMERA, x->trace };
-}
-
-/* What is seen, once light has been gathered. */
-static Pixel finish_texture(Shading *k)
-{
-    Tracer *x = k->tracer;
-    const Surface *at = k->light.shadow.at;
-    Rgb sum = gathered_light(&k->light);
-    if (!x->scene->needs_secondary_rays) return (Pixel){ sum.r, sum.g, sum.b, 0 };
-    Pixel behind = { 0 };
-    double transmit = transmit_of(k->through);
-    bool is_total = false;
-    if (x->quality >= Q_TRANSMISSION && transmit > x->scene->adc_bailout) {
-        behind = trace_through(x, at, k->path, k->through, &is_total);
-        sum = rgb_add(sum, is_total ? pixel_rgb(behind) : rgb_mul(pixel_rgb(behind), k->through));
-    }
-    if (x->quality >= Q_REFLECTION && !is_total)
-        sum = rgb_add(sum, reflections(x, at, k->light.layers, k->light.n, k->path));
-    return (Pixel){ sum.r, sum.g, sum.b, is_total ? 0 : behind.transmit * transmit };
-}
-
-static Pixel shade_map(Tracer *x, const Surface *at, const Path *path);
-
-/* Is light all that its look depends on, for now? */
-static bool is_lit(const Tracer *x, const Surface *at)
-{
-    return !at->texture->map && at->texture->n_layers > 0 && x->quality >= Q_LIGHT;
-}
-
-static Pixel shade_unlit(Tracer *x, const Surface *at, const Path *path)
-{
-    if (at->texture->map) return shade_map(x, at, path);
-    return at->texture->n_layers == 0 ? (Pixel){ 0 } : flat_color(at);
-}
-
-static Pixel shade_texture(Tracer *x, const Surface *at, const Path *path)
-{
-    if (!is_lit(x, at)) return shade_unlit(x, at, path);
-    Shading k;
-    walk_texture(&k, x, at, path);
-    gather_light(&k.light, x->quality);
-    return finish_texture(&k);
-}
-
-/* Between two entries of its map a texture is both of them, each lit, mirroring and letting through for itself. */
-static Pixel shade_map(Tracer *x, const Surface *at, const Path *path)
-{
-    TextureChoice choices[2];
-    Pixel sum = { 0 };
-    int n = texture_choose(at->texture->map, at->texture_point, choices);
-    for (int i = 0; i < n; i++) {
-        Surface part = surface_with(at, &choices[i]);
-        Pixel seen = shade_texture(x, &part, path);
-        double share = choices[i].share;
-        sum = (Pixel){ sum.r + share * seen.r, sum.g + share * seen.g, sum.b + share * seen.b,
-                       sum.transmit + share * seen.transmit };
-    }
-    return sum;
-}
-
-static Pixel shade_hit(Tracer *x, const Ray *r, const Hit *h, const Path *path)
-{
-    Surface at;
-    surface_at(x->scene, r, h, &at);
-    return shade_texture(x, &at, path);
-}
-
-/* The nearest hit. What lies nearer than its own error may be the surface that the ray has just left: the next counts. */
-static bool nearest_hit(Tracer *x, Ray *r, const Path *path, Hit *h)
-{
-    for (;;) {
-        if (!scene_hit(x->scene, r, path->was_reflected ? RAY_REFLECTED : RAY_CAMERA, h, x->trace)) return false;
-        if (!(h->t <= h->t_error)) return true;
+    Ray *r = &g->rays->ray[i];
+    Hit *h = &g->hit[i];
+    bool is_hit = true;
+    lane_begin(&x->lane[i], x->trace);
+    while (is_hit && h->t <= h->t_error) {
         r->t_min = h->t;
+        is_hit = scene_hit(x->scene, r, kind, h, x->trace);
     }
+    lane_end(&x->lane[i], x->trace);
+    return is_hit;
 }
 
-static void count_ray(Counters *c, RayKind kind)
+/* The nearest hits. */
+static Lanes find_hits(Tracer *x, Generation *g, Lanes lanes)
 {
-    if (kind == RAY_REFLECTED) c->reflected_rays++;
-    if (kind == RAY_TRANSMITTED) c->transmitted_rays++;
-}
-
-static Pixel through_fog(Tracer *x, const Ray *r, double t, const Path *path, Pixel seen)
-{
-    const Scene *s = x->scene;
-    bool has_fog = s->n_fogs > 0 && x->quality >= Q_FOG && media_let_fog_in(media_known(&x->around, path->media));
-    return has_fog ? sky_through_fog(s, r, t, seen) : seen;
-}
-
-/* Of a secondary ray. Moves r's beginning past the surface that it has left.
- *
- * POV-Ray does not count a ray that goes straight on as a level, but does not let it begin at the last one either. */
-static Pixel trace_ray(Tracer *x, Ray *r, const Path *path)
-{
-    const Scene *s = x->scene;
-    if (path->level + path->is_straight >= s->max_trace_level || path->weight < s->adc_bailout) return (Pixel){ 0 };
-    count_ray(&x->trace->counters, path->kind);
-    Hit h;
-    bool is_hit = nearest_hit(x, r, path, &h);
-    return through_fog(x, r, h.t, path, is_hit ? shade_hit(x, r, &h, path) : sky_color(s, r->dir));
-}
-
-/* ---- camera rays ---- */
-
-static const Path FROM_CAMERA = { .weight = 1, .kind = RAY_CAMERA, .media = MEDIA_OF_CAMERA };
-
-/* Neighbouring camera rays, and what is found of each on the way. */
-typedef struct {
-    RayBunch *rays;
-    Tracer tracer[BUNCH_WIDTH];
-    Hit hit[BUNCH_WIDTH];
-    Surface at[BUNCH_WIDTH];
-    Shading shading[BUNCH_WIDTH];
-} CameraBunch;
-
-static Lanes hit_of_camera(const Scene *s, CameraBunch *k, Trace *t)
-{
-    Apex camera = apex_make(k->rays->ray[0].origin);
-    t->apex = t->pencils && s->camera.kind == CAMERA_PERSPECTIVE ? &camera : NULL;
-    Lanes hit = scene_hit_bunch(s, k->rays, RAY_CAMERA, k->hit, t);
-    t->apex = NULL;
+    Apex room;
+    RayKind kind = g->was_reflected ? RAY_REFLECTED : RAY_CAMERA;
+    x->trace->apex = use_apex(x, g, &room);
+    Lanes hit = scene_hit_bunch(x->scene, g->rays, lanes, kind, g->hit, x->trace);
+    x->trace->apex = NULL;
+    for (Lanes left = hit; left; ) {
+        int i = lanes_next(&left);
+        if (g->kind != RAY_CAMERA && g->hit[i].t <= g->hit[i].t_error && !find_next(x, g, i, kind)) hit &= ~(1u << i);
+        g->root[i] = x->lane[i].root;
+    }
     return hit;
 }
 
-/* What can be seen without light is; the lanes that wait for it. */
-static Lanes look_at_surfaces(CameraBunch *k, Lanes hit, Pixel out[])
+static void count_rays(Counters *c, RayKind kind, Lanes lanes)
 {
-    Lanes lit = 0;
-    for (int i = 0; i < k->rays->n; i++) {
-        Tracer *x = &k->tracer[i];
-        const Ray *r = &k->rays->ray[i];
-        if (!(hit >> i & 1)) {
-            out[i] = sky_color(x->scene, r->dir);
-            continue;
-        }
-        surface_at(x->scene, r, &k->hit[i], &k->at[i]);
-        if (is_lit(x, &k->at[i])) {
-            walk_texture(&k->shading[i], x, &k->at[i], &FROM_CAMERA);
-            lit |= 1u << i;
-        } else {
-            bunch_begin(k->rays, i, x->trace);
-            out[i] = shade_unlit(x, &k->at[i], &FROM_CAMERA);
-            bunch_end(k->rays, i, x->trace);
-        }
-    }
-    return lit;
+    uint64_t *counter = kind == RAY_CAMERA ? &c->camera_rays : kind == RAY_REFLECTED ? &c->reflected_rays
+                                                                                     : &c->transmitted_rays;
+    *counter += (uint64_t)__builtin_popcount(lanes);
 }
 
-static void shade_lit(CameraBunch *k, Lanes lit, Pixel out[])
+/* POV-Ray does not count a ray that goes straight on as a level, but does not let it begin at the last one either. */
+static bool goes_on(const Scene *s, const Path *p)
 {
-    bool traces = k->tracer[0].scene->needs_secondary_rays;
-    Gathering *of[BUNCH_WIDTH];
-    for (int i = 0; i < k->rays->n; i++) of[i] = &k->shading[i].light;
-    gather_light_bunch(of, lit, k->rays, k->tracer[0].quality);
-    while (lit) {
-        int i = lanes_next(&lit);
-        if (traces) bunch_begin(k->rays, i, k->tracer[i].trace);
-        out[i] = finish_texture(&k->shading[i]);
-        if (traces) bunch_end(k->rays, i, k->tracer[i].trace);
+    return p->level + p->is_straight < s->max_trace_level && !(p->weight < s->adc_bailout);
+}
+
+static void add_fog(Tracer *x, const Generation *g, Lanes lanes, Pixel out[])
+{
+    while (lanes) {
+        int i = lanes_next(&lanes);
+        if (media_let_fog_in(media_known(&x->around[i], g->path[i].media)))
+            out[i] = sky_through_fog(x->scene, &g->rays->ray[i], g->hit[i].t, out[i]);
     }
+}
+
+/* Rays that were sent, or camera rays, which have their lanes; moves those past the surface that they have left. */
+static void trace_rays(Tracer *x, Generation *g, Lanes lanes, Pixel out[])
+{
+    const Scene *s = x->scene;
+    for (Lanes left = lanes; left; ) {
+        int i = lanes_next(&left);
+        if (goes_on(s, &g->path[i])) continue;
+        set_pixel(&out[i], rgb(0, 0, 0), 0);
+        lanes &= ~(1u << i);
+    }
+    if (!lanes) return;
+    count_rays(&x->trace->counters, g->kind, lanes);
+    if (g->kind != RAY_CAMERA && !lanes_are_few(lanes)) bunch_fill(g->rays, lanes);
+    Lanes hit = find_hits(x, g, lanes);
+    for (Lanes missed = lanes & ~hit; missed; ) {
+        int i = lanes_next(&missed);
+        out[i] = sky_color(s, g->rays->ray[i].dir);
+    }
+    for (Lanes left = hit; left; ) {
+        int i = lanes_next(&left);
+        surface_at(s, &g->rays->ray[i], &g->hit[i], &g->at[i]);
+    }
+    shade_surfaces(x, g, hit, out);
+    if (s->n_fogs > 0 && x->quality >= Q_FOG) add_fog(x, g, lanes, out);
 }
 
 void shade_camera_rays(const Scene *s, RayBunch *rays, int quality, Trace *t, Pixel out[])
 {
-    int n = rays->n;
-    if (s->max_trace_level <= 0 || s->adc_bailout > FROM_CAMERA.weight) {
-        for (int i = 0; i < n; i++) out[i] = (Pixel){ 0 };
-        return;
-    }
     ArenaMark mark = arena_mark(t->scratch);
-    CameraBunch k;
-    k.rays = rays;
-    for (int i = 0; i < n; i++)
-        k.tracer[i] = (Tracer){ s, t, quality, { .scene = s, .scratch = t->scratch, .camera = rays->ray[i].origin } };
-    t->counters.camera_rays += (uint64_t)n;
-    Lanes lit = look_at_surfaces(&k, hit_of_camera(s, &k, t), out);
-    if (lit) shade_lit(&k, lit, out);
-    for (int i = 0; i < n; i++) out[i] = through_fog(&k.tracer[i], &rays->ray[i], k.hit[i].t, &FROM_CAMERA, out[i]);
+    Tracer x = { .scene = s, .trace = t, .quality = quality, .lane = rays->lane };
+    Generation g;
+    g.kind = RAY_CAMERA, g.was_reflected = false, g.rays = rays;
+    for (int i = 0; i < rays->n; i++) {
+        x.around[i] = (Surroundings){ .scene = s, .scratch = t->scratch, .camera = rays->ray[i].origin };
+        g.path[i] = (Path){ .weight = 1, .media = MEDIA_OF_CAMERA };
+    }
+    trace_rays(&x, &g, bunch_all(rays), out);
     arena_reset(t->scratch, mark);
 }

@@ -40,6 +40,14 @@ ALWAYS_INLINE V4 v4_fma(V4 a, double b, V4 c)
                  __builtin_fma(a[3], b, c[3]) };
 }
 
+typedef long long V4l __attribute__((vector_size(32)));
+ALWAYS_INLINE V4 v4_min(V4 a, V4 b)
+{
+    V4l less = a < b;
+    return (V4)(((V4l)a & less) | ((V4l)b & ~less));
+}
+ALWAYS_INLINE V4 v4_max(V4 a, V4 b) { return -v4_min(-a, -b); }
+
 /* Eight floats, eight doubles made of them, and what comparisons of them give. */
 typedef float V8f __attribute__((vector_size(32)));
 typedef float V8fUnaligned __attribute__((vector_size(32), aligned(4), may_alias));
@@ -129,6 +137,27 @@ ALWAYS_INLINE V8l v8l_truth(unsigned mask)
     const V8l to_sign = { 63, 62, 61, 60, 59, 58, 57, 56 };
     long long all = mask;
     return (V8l){ all, all, all, all, all, all, all, all } << to_sign >> 63;
+}
+
+ALWAYS_INLINE V8l v8d_at_most(V8d a, V8d b)
+{
+    V8l out;
+    for (int i = 0; i < 8; i++) out[i] = a[i] <= b[i] ? -1 : 0;
+    return out;
+}
+
+ALWAYS_INLINE V8l v8d_differs(V8d a, V8d b)
+{
+    V8l out;
+    for (int i = 0; i < 8; i++) out[i] = a[i] != b[i] ? -1 : 0;
+    return out;
+}
+
+ALWAYS_INLINE V8l v8l_equals(V8l a, long long b)
+{
+    V8l out;
+    for (int i = 0; i < 8; i++) out[i] = a[i] == b ? -1 : 0;
+    return out;
 }
 
 #endif

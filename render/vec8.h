@@ -14,6 +14,11 @@ ALWAYS_INLINE Vec3x8 vec8_sub(Vec3x8 a, Vec3x8 b) { return (Vec3x8){ a.x - b.x, 
 ALWAYS_INLINE Vec3x8 vec8_scale(Vec3x8 a, V8d s) { return (Vec3x8){ a.x * s, a.y * s, a.z * s }; }
 ALWAYS_INLINE V8d vec8_dot(Vec3x8 a, Vec3x8 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
+ALWAYS_INLINE V8d vec8_max_abs(Vec3x8 a)          /* components that are NaN count for nothing */
+{
+    return v8d_max(v8d_abs(a.x), v8d_max(v8d_abs(a.y), v8d_max(v8d_abs(a.z), v8d_splat(0))));
+}
+
 static inline Vec3 vec8_get(const Vec3x8 *a, int i) { return vec(a->x[i], a->y[i], a->z[i]); }
 static inline void vec8_set(Vec3x8 *a, int i, Vec3 v) { a->x[i] = v.x, a->y[i] = v.y, a->z[i] = v.z; }
 

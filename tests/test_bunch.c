@@ -218,7 +218,7 @@ static void check_hits(const Scene *s, Bunch *q, RayKind kind, Trace *together, 
     Apex apex = apex_make(q->apex);
     Trace alone = { .scratch = together->scratch };
     if (together->pencils) together->apex = &apex;
-    Lanes hit = scene_hit_bunch(s, &q->b, kind, best, together);
+    Lanes hit = scene_hit_bunch(s, &q->b, bunch_all(&q->b), kind, best, together);
     together->apex = NULL;
     for (int i = 0; i < q->b.n; i++) {
         Hit h;

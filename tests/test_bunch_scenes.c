@@ -74,7 +74,7 @@ static void check_rays(Check *k, RayBunch *b, Apex *apex)
 {
     Hit together[BUNCH_WIDTH], alone;
     k->trace.apex = apex;
-    Lanes hit = scene_hit_bunch(k->scene, b, RAY_CAMERA, together, &k->trace);
+    Lanes hit = scene_hit_bunch(k->scene, b, bunch_all(b), RAY_CAMERA, together, &k->trace);
     for (int i = 0; i < b->n; i++) {
         k->trace.seed = b->lane[i].seed;
         bool is_hit = scene_hit(k->scene, &b->ray[i], RAY_CAMERA, &alone, &k->trace);

@@ -3,6 +3,7 @@
 #include "tests/tiles.h"
 
 #include "nurbs/clip.h"
+#include "nurbs/doubt.h"
 #include "nurbs/nurbs.h"
 #include "render/hit_list.h"
 

@@ -3,6 +3,7 @@
 #define TRIMRAY_TESTS_TILES_H
 
 #include "nurbs/certify.h"
+#include "nurbs/doubt.h"
 #include "tests/test.h"
 
 typedef struct { Arena *arena; PatchGroup group; Trace trace; } Fixture;
@@ -64,7 +65,7 @@ static inline Vec3 middle_of(const Tile *f) { return vec_add(f->patch->origin, t
 /* A part of a tile, some halvings down. */
 static inline const Tile *random_part(TestRandom *r, const Tile *tile)
 {
-    for (int n = test_int(r, 0, 4); n > 0 && tile_halves(tile); n--) tile = &tile_halves(tile)[test_int(r, 0, 1)];
+    for (int n = test_int(r, 0, 4); n > 0 && tile_halves(tile); n--) tile = &tile_halves(tile)->tiles[test_int(r, 0, 1)];
     return tile;
 }
 

@@ -342,20 +342,6 @@ ALWAYS_INLINE bool is_second_nearer(const Halves *h, const PatchRay *r)
     return vec_dot(r->d, vec_sub(tile_vec(h->tiles[1].middle), tile_vec(h->tiles[0].middle))) < 0;
 }
 
-/* All roots of a tile that was met, unless it is in doubt: false. */
-ALWAYS_INLINE bool solve_met(Solve *k, FrameResult is, const Tile *tile, PatchRay *r, RootVisit visit, void *context,
-                             Trace *trace, bool *ended)
-{
-    *ended = false;
-    switch (is) {
-    case FRAME_MISS: return true;
-    case FRAME_UNDECIDED: return false;
-    case FRAME_HOPELESS: *ended = clip_in_doubt(tile, r, visit, context, trace); return true;
-    case FRAME_ONE_AT_MOST: break;
-    }
-    return solve_one(k, visit, context, trace, ended);
-}
-
 /* All roots of a tile in doubt. One with a pole on the ray would be halved for nothing. */
 EVERY_X86
 static bool roots_in_doubt(const Tile *tile, PatchRay *r, RootVisit visit, void *context, Trace *trace)
@@ -368,21 +354,21 @@ static bool roots_in_doubt(const Tile *tile, PatchRay *r, RootVisit visit, void 
         const Halves *halves = tile_halves(d.tile);
         Solve k[2];
         FrameResult is[2] = { FRAME_MISS, FRAME_MISS };
-        bool is_solved[2] = { false, false }, ended;
         for (int i = 0; i < 2 && halves; i++) is[i] = meet_half(&k[i], halves, i, r);
-        int near = is[0] != FRAME_MISS && is[1] != FRAME_MISS && is_second_nearer(halves, r), order[2] = { 1 - near, near };
-        for (int n = 0; n < 2 && halves; n++) {
-            int i = order[n];
-            is_solved[i] = solve_met(&k[i], is[i], &halves->tiles[i], r, visit, context, trace, &ended);
-            if (ended) return true;
-        }
-        bool is_stuck = !is_solved[0] && !is_solved[1] && d.doubts-- == 0;
+        bool is_stuck = is[0] == FRAME_UNDECIDED && is[1] == FRAME_UNDECIDED && d.doubts-- == 0;
         if (!halves || is_stuck) {
             if (clip_in_doubt(d.tile, r, visit, context, trace)) return true;
             continue;
         }
-        for (int n = 0; n < 2; n++)
-            if (!is_solved[order[n]]) stack[top++] = (InDoubt){ &halves->tiles[order[n]], d.doubts };
+        int near = is[0] != FRAME_MISS && is[1] != FRAME_MISS && is_second_nearer(halves, r), order[2] = { 1 - near, near };
+        for (int n = 0; n < 2; n++) {
+            int i = order[n];
+            bool ended = false;
+            if (is[i] == FRAME_HOPELESS) ended = clip_in_doubt(&halves->tiles[i], r, visit, context, trace);
+            if (is[i] == FRAME_ONE_AT_MOST && !solve_one(&k[i], visit, context, trace, &ended)) is[i] = FRAME_UNDECIDED;
+            if (is[i] == FRAME_UNDECIDED) stack[top++] = (InDoubt){ &halves->tiles[i], d.doubts };
+            if (ended) return true;
+        }
     }
     return false;
 }
@@ -393,7 +379,13 @@ bool tile_roots(const Tile *tile, PatchRay *r, RootVisit visit, void *context, T
     if (tile->cone && pole_cone_is_out_of_reach(pole_cone_of(tile), tile->patch, r)) return false;
     Solve k;
     bool ended;
-    FrameResult is = meet_tile(&k, tile, r);
-    if (solve_met(&k, is, tile, r, visit, context, trace, &ended)) return ended;
+    switch (meet_tile(&k, tile, r)) {
+    case FRAME_MISS: return false;
+    case FRAME_UNDECIDED: break;
+    case FRAME_HOPELESS: return clip_in_doubt(tile, r, visit, context, trace);
+    case FRAME_ONE_AT_MOST:
+        if (solve_one(&k, visit, context, trace, &ended)) return ended;
+        break;
+    }
     return roots_in_doubt(tile, r, visit, context, trace);
 }

@@ -2,16 +2,14 @@
  *
  * What is computed of a ray and a box is what bvh_wide.c computes of them, by the same operations, with its proof that
  * nothing is turned away which the ray meets. Only rays whose directions have the same signs go together, so that they
- * meet the same sides of a box first; others follow. Where few are left, each sees a node's boxes as a ray alone does.
+ * meet the same sides of a box first; others follow. (Where one or two are left, to let each see eight boxes at once makes
+ * no difference.)
  *
  * A child waits with the rays that meet it, and with the least t at which they do. Rays are lanes of a mask: of those that
  * are not in it nothing is changed, whatever numbers stand there. */
 #include "render/bvh_bunch.h"
 
 #include "render/bvh_walk.h"
-
-/* So many rays, or fewer, see a node's boxes one ray after the other, eight boxes at once. */
-#define FEW 2
 
 /* ---- rays and the tree's bounds ---- */
 
@@ -96,7 +94,7 @@ typedef struct {
     const WideBvh *tree;
     BunchSlabs slabs;              /* the visitor's own trees may need others */
     int side[3];                   /* of a box, which the rays meet first */
-    V8f t_min, limit;              /* of rays that do not go along: INFINITY and less */
+    V8f t_min, limit;              /* t_min of rays that do not go along: INFINITY */
     bool nearest_first, ahead;
     uint64_t n_boxes;
     int top;
@@ -126,8 +124,8 @@ ALWAYS_INLINE float v8f_least(V8f a)
     return a[0];
 }
 
-/* Eight rays at once. Byte i of what is returned: the rays that meet child i; t[i]: where the first of them does. */
-ALWAYS_INLINE uint64_t meet_many(const Walk *w, const WideNode *n, Lanes lanes, float t[WIDTH])
+/* Byte i of what is returned: the rays that meet child i; t[i]: where the first of them does. */
+ALWAYS_INLINE uint64_t meet_boxes(const Walk *w, const WideNode *n, Lanes lanes, float t[WIDTH])
 {
     const BunchSlabs *s = &w->slabs;
     V8f nears[WIDTH];
@@ -151,31 +149,6 @@ ALWAYS_INLINE uint64_t meet_many(const Walk *w, const WideNode *n, Lanes lanes, 
     return all;
 }
 
-ALWAYS_INLINE Slabs slabs_of(const Walk *w, int i)
-{
-    Slabs out;
-    for (int k = 0; k < 3; k++) {
-        out.inverse[k] = w->slabs.inverse[k][i], out.near_shift[k] = w->slabs.near_shift[k][i];
-        out.far_shift[k] = w->slabs.far_shift[k][i], out.near_side[k] = w->side[k];
-    }
-    return out;
-}
-
-/* Eight boxes at once, ray by ray. */
-ALWAYS_INLINE uint64_t meet_few(const Walk *w, const WideNode *n, Lanes lanes, float t[WIDTH])
-{
-    V8f least = v8f_splat(INFINITY), near;
-    uint64_t rows = 0;
-    while (lanes) {
-        int i = lanes_next(&lanes);
-        Slabs slabs = slabs_of(w, i);
-        rows |= (uint64_t)meet_boxes(n, &slabs, w->t_min[i], w->limit[i], &near) << 8 * i;
-        least = v8f_select(near < least, near, least);
-    }
-    memcpy(t, &least, sizeof least);
-    return transposed(rows);
-}
-
 /* Puts a child above `base`, the nearest last; or the farthest last, where any hit will do. */
 ALWAYS_INLINE void push(Walk *w, Waiting child, int base)
 {
@@ -189,8 +162,7 @@ ALWAYS_INLINE void push(Walk *w, Waiting child, int base)
 ALWAYS_INLINE void meet_children(Walk *w, const WideNode *n, Lanes lanes)
 {
     float t[WIDTH];
-    bool are_few = __builtin_popcount(lanes) <= FEW;
-    uint64_t met = are_few ? meet_few(w, n, lanes, t) : meet_many(w, n, lanes, t);
+    uint64_t met = meet_boxes(w, n, lanes, t);
     int base = w->top;
     unsigned children = 0;
     w->n_boxes += (uint64_t)__builtin_popcount(lanes) * n->n_children;

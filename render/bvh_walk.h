@@ -46,20 +46,6 @@ ALWAYS_INLINE V8f v8_min(V8f a, V8f b)
     return out;
 }
 
-/* The children of n that a ray meets in [t_min, t_max], a bit for each, and where. */
-ALWAYS_INLINE unsigned meet_boxes(const WideNode *n, const Slabs *r, float t_min, float t_max, V8f *t)
-{
-    V8f near = v8f_splat(t_min), far = v8f_splat(t_max);
-    for (int k = 0; k < 3; k++) {
-        V8f inverse = v8f_splat(r->inverse[k]);
-        near = v8_max(v8f_load(n->side[r->near_side[k]][k]) * inverse + v8f_splat(r->near_shift[k]), near);
-        far = v8_min(v8f_load(n->side[!r->near_side[k]][k]) * inverse + v8f_splat(r->far_shift[k]), far);
-    }
-    *t = near;
-    /* a ray of no numbers would meet children that do not exist */
-    return v8_mask(__builtin_convertvector(near <= far, V8c)) & n->exists;
-}
-
 /* ---- what comes from memory ahead ---- */
 
 ALWAYS_INLINE void fetch(const char *from, size_t size)

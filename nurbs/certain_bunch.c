@@ -7,7 +7,7 @@
 #include "render/bvh_bunch.h"
 
 /* A tile is halved so often for lanes in doubt before they go on alone. */
-enum { MAX_LEVEL = 2 };
+enum { MAX_LEVEL = 6 };
 
 typedef struct {
     RayBunch *b;

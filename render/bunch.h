@@ -14,7 +14,7 @@ typedef struct {
     unsigned left_out;
 } BunchLane;
 
-/* The rays as a tree of eight-wide boxes sees them (bvh_bunch.c), as WideRay has one; they are made by the first tree that
+/* The rays as a tree of wide boxes sees them (bvh_bunch.c), as WideRay has one; they are made by the first tree that
  * needs them, and serve for those within its bounds. */
 typedef struct {
     V8f inverse[3], near_shift[3], far_shift[3], t_min;

@@ -10,7 +10,7 @@
 
 typedef enum {
     BVH_MEDIAN,   /* [MCFS00] section 2.2: sort along the axis of greatest extent, split the boxes in half */
-    BVH_SAH       /* binned surface area heuristic, then collapsed to eight children a node (bvh_wide.c) */
+    BVH_SAH       /* binned surface area heuristic, then collapsed to sixteen children a node (bvh_wide.c) */
 } BvhSplit;
 
 /* Builds a tree over n boxes (n may be 0; empty boxes are left out), deterministically. Infinite boxes are not allowed:

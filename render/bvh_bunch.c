@@ -1,4 +1,4 @@
-/* Eight rays at once ([WSBW01]) through eight-wide boxes: a ray a lane, and a node's boxes one after the other.
+/* Eight rays at once ([WSBW01]) through wide boxes: a ray a lane, and a node's boxes one after the other.
  *
  * What is computed of a ray and a box is what bvh_wide.c computes of them, by the same operations, with its proof that
  * nothing is turned away which the ray meets. Only rays whose directions have the same signs go together, so that they
@@ -124,17 +124,19 @@ ALWAYS_INLINE float v8f_least(V8f a)
     return a[0];
 }
 
-/* Byte i of what is returned: the rays that meet child i; t[i]: where the first of them does. */
-ALWAYS_INLINE uint64_t meet_boxes(const Walk *w, const WideNode *n, Lanes lanes, float t[WIDTH])
+/* Of the row of children that begins at `first`. Byte i of what is returned: the rays that meet child i of them; t[i]: where
+ * the first of them does. */
+ALWAYS_INLINE uint64_t meet_row(const Walk *w, const WideNode *n, uint32_t first, Lanes lanes, float t[ROW])
 {
     const BunchSlabs *s = &w->slabs;
-    V8f nears[WIDTH];
+    V8f nears[ROW];
     V8i met = { 0 }, bit = (V8i){ 1, 1, 1, 1, 1, 1, 1, 1 };
-    for (uint32_t i = 0; i < n->n_children; i++, bit += bit) {
+    uint32_t end = n->n_children - first < ROW ? n->n_children - first : ROW;
+    for (uint32_t i = 0; i < end; i++, bit += bit) {
         V8f near = w->t_min, far = w->limit;
         for (int k = 0; k < 3; k++) {
-            near = v8_max(v8f_splat(n->side[w->side[k]][k][i]) * s->inverse[k] + s->near_shift[k], near);
-            far = v8_min(v8f_splat(n->side[!w->side[k]][k][i]) * s->inverse[k] + s->far_shift[k], far);
+            near = v8_max(v8f_splat(n->side[w->side[k]][k][first + i]) * s->inverse[k] + s->near_shift[k], near);
+            far = v8_min(v8f_splat(n->side[!w->side[k]][k][first + i]) * s->inverse[k] + s->far_shift[k], far);
         }
         V8i meets = near <= far;
         nears[i] = v8f_select(meets, near, v8f_splat(INFINITY));
@@ -161,16 +163,18 @@ ALWAYS_INLINE void push(Walk *w, Waiting child, int base)
 /* The rays go on to the children of n. */
 ALWAYS_INLINE void meet_children(Walk *w, const WideNode *n, Lanes lanes)
 {
-    float t[WIDTH];
-    uint64_t met = meet_boxes(w, n, lanes, t);
     int base = w->top;
     unsigned children = 0;
     w->n_boxes += (uint64_t)__builtin_popcount(lanes) * n->n_children;
-    while (met) {
-        int i = __builtin_ctzll(met) / 8;
-        push(w, (Waiting){ n->child[i], met >> 8 * i & 0xFF, t[i] }, base);
-        met &= ~((uint64_t)0xFF << 8 * i);
-        children |= 1u << i;
+    for (uint32_t first = 0; first < n->n_children; first += ROW) {
+        float t[ROW];
+        uint64_t met = meet_row(w, n, first, lanes, t);
+        while (met) {
+            int i = __builtin_ctzll(met) / 8;
+            push(w, (Waiting){ n->child[first + i], met >> 8 * i & 0xFF, t[i] }, base);
+            met &= ~((uint64_t)0xFF << 8 * i);
+            children |= 1u << (first + i);
+        }
     }
     if (w->ahead) fetch_children(w->tree, n, children);
 }

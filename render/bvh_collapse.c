@@ -1,4 +1,4 @@
-/* From two children a node to eight, as [YKL17] do it.
+/* From two children a node to sixteen, as [YKL17] do it.
  *
  * A ray comes to a node about as often as its box has area ([WBB08]), and then tests all of its children at once. So the
  * binary nodes that remain as wide ones are chosen for the least sum of their areas. Let cost(n, j) be the least for the

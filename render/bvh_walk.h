@@ -1,4 +1,4 @@
-/* What the walks through a tree of eight-wide boxes have in common: of one ray (bvh_wide.c), of a bunch (bvh_bunch.c). */
+/* What the walks through a tree of sixteen-wide boxes have in common: of one ray (bvh_wide.c), of a bunch (bvh_bunch.c). */
 #ifndef TRIMRAY_BVH_WALK_H
 #define TRIMRAY_BVH_WALK_H
 
@@ -7,6 +7,7 @@
 
 #define WIDTH WIDE_WIDTH
 #define IS_ITEM WIDE_IS_ITEM
+#define ROW 8            /* children that are looked at together */
 
 /* Children that may wait at once: trees are no deeper than the binary tree, and one within, 64 each. */
 #define WIDE_MOST_WAITING (2 * 64 * (WIDTH - 1) + WIDTH)
@@ -35,14 +36,14 @@ static inline bool is_within(const Box *a, const Box *b)
 ALWAYS_INLINE V8f v8_max(V8f a, V8f b)
 {
     V8f out;
-    for (int i = 0; i < WIDTH; i++) out[i] = a[i] > b[i] ? a[i] : b[i];
+    for (int i = 0; i < ROW; i++) out[i] = a[i] > b[i] ? a[i] : b[i];
     return out;
 }
 
 ALWAYS_INLINE V8f v8_min(V8f a, V8f b)
 {
     V8f out;
-    for (int i = 0; i < WIDTH; i++) out[i] = a[i] < b[i] ? a[i] : b[i];
+    for (int i = 0; i < ROW; i++) out[i] = a[i] < b[i] ? a[i] : b[i];
     return out;
 }
 

@@ -1,5 +1,5 @@
-/* A tree of boxes with eight children a node, tested together: what BVH_SAH builds are traversed as. Used by bvh.c,
- * and by bvh_bunch.c. */
+/* A tree of boxes with up to sixteen children a node: what BVH_SAH builds are traversed as. Used by bvh.c, and by
+ * bvh_bunch.c. */
 #ifndef TRIMRAY_BVH_WIDE_H
 #define TRIMRAY_BVH_WIDE_H
 

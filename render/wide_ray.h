@@ -1,4 +1,4 @@
-/* A ray as a tree of eight-wide boxes sees it (bvh_wide.c). A thread keeps its last one: trees within trees, in the same
+/* A ray as a tree of wide boxes sees it (bvh_wide.c). A thread keeps its last one: trees within trees, in the same
  * space, do not make it again. */
 #ifndef TRIMRAY_WIDE_RAY_H
 #define TRIMRAY_WIDE_RAY_H

@@ -3,7 +3,8 @@
 
 #include <pthread.h>
 
-/* One lock for all tiles: it is held for microseconds, once in a tile's life. */
+/* One lock for all tiles. Halves are made before it is taken: it is held for as long as it takes to put them in their place,
+ * and where two threads made the same, one of them made them in vain. */
 static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
 
 /* A tile whose derivatives vary by less than this is as good as flat, and its halves would tell no more. */
@@ -21,10 +22,9 @@ static void make_half(const Tile *whole, const Vec4 *net, TilePlace place, Tile 
     paraboloid_make(out, net, paraboloid);
 }
 
-static const Halves *make_halves(const Tile *tile)
+static void make_halves(const Tile *tile, Halves *out)
 {
     const Patch *p = tile->patch;
-    Halves *out = ARENA_NEW(p->group->arena, Halves);
     Vec4 net[NURBS_MAX_ORDER * NURBS_MAX_ORDER], first[NURBS_MAX_ORDER * NURBS_MAX_ORDER];
     TilePlace place = tile_place(tile);
     tile_net(p, place, net);
@@ -32,7 +32,6 @@ static const Halves *make_halves(const Tile *tile)
     TilePlaces halves = tile_cut(p, place, !(bend.along_u < bend.along_v), net, first);
     make_half(tile, first, halves.first, &out->tiles[0], &out->paraboloids[0]);
     make_half(tile, net, halves.second, &out->tiles[1], &out->paraboloids[1]);
-    return out;
 }
 
 const Halves *tile_halves(const Tile *tile)
@@ -40,10 +39,12 @@ const Halves *tile_halves(const Tile *tile)
     Tile *t = (Tile *)tile;     /* the one thing in a tile that changes, and under a lock */
     const Halves *halves = atomic_load_explicit(&t->halves, memory_order_acquire);
     if (halves || !may_be_halved(tile)) return halves;
+    Halves made;
+    make_halves(tile, &made);
     pthread_mutex_lock(&lock);
     halves = atomic_load_explicit(&t->halves, memory_order_relaxed);
     if (!halves) {
-        halves = make_halves(tile);
+        halves = arena_copy(tile->patch->group->arena, &made, 1, sizeof made);
         atomic_store_explicit(&t->halves, halves, memory_order_release);
     }
     pthread_mutex_unlock(&lock);

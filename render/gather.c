@@ -118,7 +118,10 @@ static void gather_plain(Gathering *const of[], Lanes lanes, const RayBunch *see
     }
     if (!asked) return;
     const Shadow *shadow[BUNCH_WIDTH];
-    for (int i = 0; i < seen_by->n; i++) shadow[i] = &of[i]->shadow, color[i] = l->color;
+    for (Lanes left = asked; left; ) {
+        int i = lanes_next(&left);
+        shadow[i] = &of[i]->shadow, color[i] = l->color;
+    }
     for (Lanes arrives = shadow_light_bunch(shadow, asked, seen_by, at, l, &direction, color); arrives; ) {
         int i = lanes_next(&arrives);
         LightAt lit = { vec8_get(&direction, i), 0, color[i] };

@@ -67,8 +67,8 @@ bool scene_hit(const Scene *s, const Ray *r, RayKind kind, Hit *best, Trace *t);
  * in another, or without shadow. */
 bool scene_blocks(const Scene *s, const Ray *r, double t_max, bool *may_be_filtered, Trace *t);
 void scene_filters(const Scene *s, const Ray *r, HitList *out, Trace *t);
-/* The same for `lanes` of a bunch, whose vectors are not needed where lanes_are_few: those that were hit (best[i].t is INFINITY of the others), that are blocked; those that
- * may be filtered. */
+/* The same for `lanes` of a bunch, whose vectors are not needed where lanes_are_few: those that were hit (best[i].t is
+ * INFINITY of the others), that are blocked; those that may be filtered. */
 Lanes scene_hit_bunch(const Scene *s, RayBunch *b, Lanes lanes, RayKind kind, Hit best[], Trace *t);
 Lanes scene_blocks_bunch(const Scene *s, RayBunch *b, Lanes lanes, const double t_max[], Lanes *may_be_filtered, Trace *t);
 

@@ -203,7 +203,8 @@ bool shadow_light(const Shadow *q, const Light *l, LightAt *lit)
 
 /* ---- neighbours ---- */
 
-/* ray_to_light for a light's position; sets all of the bunch but n and `lane`. The lanes of those with room for a blocker. */
+/* ray_to_light for a light's position; sets all of the bunch but n and `lane`. The lanes of those with room for a
+ * blocker. */
 EVERY_X86
 static Lanes rays_to_light(const SurfaceLanes *at, const Light *l, const Vec3x8 *dir, RayBunch *out, V8d *t_max)
 {

@@ -22,8 +22,8 @@ ALWAYS_INLINE V8d vec8_max_abs(Vec3x8 a)          /* components that are NaN cou
 static inline Vec3 vec8_get(const Vec3x8 *a, int i) { return vec(a->x[i], a->y[i], a->z[i]); }
 static inline void vec8_set(Vec3x8 *a, int i, Vec3 v) { a->x[i] = v.x, a->y[i] = v.y, a->z[i] = v.z; }
 
-/* The numbers, the vectors, so many bytes behind each of eight places. (They do not go through memory again: eight numbers that
- * were just stored one by one cannot be loaded as one vector before they have reached the cache.) */
+/* The numbers, the vectors, so many bytes behind each of eight places. (They do not go through memory again: eight numbers
+ * that were just stored one by one cannot be loaded as one vector before they have reached the cache.) */
 ALWAYS_INLINE V8d v8d_gather(const void *const from[8], size_t offset)
 {
     const char *const *p = (const char *const *)from;
@@ -42,8 +42,9 @@ ALWAYS_INLINE Vec3x8 vec8_gather(const void *const from[8], size_t offset)
 ALWAYS_INLINE Vec3x8 vec8_normalize(Vec3x8 a)
 {
     V8d length2 = vec8_dot(a, a);
+    V8l is_plain = v8d_less(v8d_splat(0x1p-960), length2) & v8d_less(length2, v8d_splat(0x1p960));
     Vec3x8 unit = vec8_scale(a, 1 / v8d_sqrt(length2));
-    if (__builtin_expect(v8l_mask(v8d_less(v8d_splat(0x1p-960), length2) & v8d_less(length2, v8d_splat(0x1p960))) != 0xFF, 0))
+    if (__builtin_expect(v8l_mask(is_plain) != 0xFF, 0))
         for (int i = 0; i < 8; i++) vec8_set(&unit, i, vec_normalize(vec8_get(&a, i)));
     return unit;
 }

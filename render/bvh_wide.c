@@ -9,8 +9,7 @@
  * tree. */
 #include "render/bvh_wide.h"
 
-#include "render/bvh_walk.h"
-#include "render/bvh_collapse.h"
+#include "render/bvh_ray.h"
 
 #define ROOM_AHEAD 64    /* beyond so many that wait, no node is opened ahead of its turn */
 #define STACK_SIZE (WIDE_MOST_WAITING + ROOM_AHEAD + WIDTH)
@@ -81,42 +80,7 @@ static bool use_wide_ray(const WideBvh *b, const Ray *r, double t_max, Trace *t)
     return true;
 }
 
-typedef struct { uint32_t child; float t; } Waiting;
-
-/* ---- a node ---- */
-
-/* Of the row of children that begins at `first`, those that a ray meets in [t_min, t_max], a bit for each, and where. */
-ALWAYS_INLINE unsigned meet_row(const WideNode *n, int first, const Slabs *r, float t_min, float t_max, V8f *t)
-{
-    V8f near = v8f_splat(t_min), far = v8f_splat(t_max);
-    for (int k = 0; k < 3; k++) {
-        V8f inverse = v8f_splat(r->inverse[k]);
-        near = v8_max(v8f_load(n->side[r->near_side[k]][k] + first) * inverse + v8f_splat(r->near_shift[k]), near);
-        far = v8_min(v8f_load(n->side[!r->near_side[k]][k] + first) * inverse + v8f_splat(r->far_shift[k]), far);
-    }
-    *t = near;
-    /* a ray of no numbers would meet children that do not exist */
-    return v8_mask(__builtin_convertvector(near <= far, V8c)) & n->exists >> first;
-}
-
-/* Children of n that the ray meets in [t_min, t_max], the nearest last; or the farthest last, where any hit will do: what is
- * near a shadow ray's origin is mostly the surface that it comes from. */
-ALWAYS_INLINE int meet_children(const WideBvh *b, const WideNode *n, const Slabs *r, float t_min, float t_max,
-                                bool nearest_first, bool ahead, Waiting *out)
-{
-    int n_met = 0;
-    V8f near[WIDTH / ROW];
-    unsigned met = meet_row(n, 0, r, t_min, t_max, &near[0]);
-    if (n->n_children > ROW) met |= meet_row(n, ROW, r, t_min, t_max, &near[1]) << ROW;
-    if (ahead) fetch_children(b, n, met);
-    for (; met != 0; met &= met - 1) {
-        int i = __builtin_ctz(met), at = n_met++;
-        float t = ((const float *)near)[i];
-        for (; at > 0 && (nearest_first ? out[at - 1].t < t : out[at - 1].t > t); at--) out[at] = out[at - 1];
-        out[at] = (Waiting){ n->child[i], t };
-    }
-    return n_met;
-}
+/* ---- a tree ---- */
 
 /* The only item of a tree needs no tree. */
 static bool visit_single(const WideBvh *b, const Ray *r, double *t_max, BvhVisit visit, void *context, Trace *t)
@@ -125,8 +89,6 @@ static bool visit_single(const WideBvh *b, const Ray *r, double *t_max, BvhVisit
     double t_enter;
     return box_hit(&b->bounds, &box, r->t_min, *t_max, &t_enter) && visit(context, b->single, r, t_max, t);
 }
-
-ALWAYS_INLINE float limit_of(const Slabs *s, double t_max) { return float_above((t_max - s->start) * s->scale); }
 
 typedef struct { BvhVisit visit; void *context; } Visitor;
 

@@ -26,6 +26,10 @@ typedef struct { Lanes in_doubt, alone; } LanesLeft;
 Lanes tile_roots_bunch(const Tile *tile, const RayBunch *b, Lanes lanes, BunchLimits limits, Roots *out, LanesLeft *left,
                        Trace *t);
 
+/* The same where each lane has its own tile; those of other lanes are tiles, too. */
+Lanes tiles_roots_bunch(const Tile *const tiles[], const RayBunch *b, Lanes lanes, BunchLimits limits, Roots *out,
+                        LanesLeft *left, Trace *t);
+
 Root roots_get(const Roots *roots, int i);
 
 #endif

@@ -17,10 +17,10 @@ enum { MAX_STEPS = 8 };
 /* N.(H - w o) over w, of the radius and |o|. The roundings of H and w are relative to the sizes of their terms, and so move
  * the quotient by as much of the radius and of |o|. N.H is a dot product; N.o is one, and its product with w and the sum
  * with N.H are as good as another. */
+#define ROUNDINGS_OF_VIEW (VIEW_FRAME_ROUNDINGS + 2 * VIEW_DOT_ROUNDINGS + ROUNDINGS_OF_ORIGIN)
 static inline double rounding_share(const Patch *p)
 {
-    double n = p->roundings + (VIEW_FRAME_ROUNDINGS + 2 * VIEW_DOT_ROUNDINGS + ROUNDINGS_OF_ORIGIN);
-    return 0.5 * DBL_EPSILON * n;
+    return 0.5 * DBL_EPSILON * (p->roundings + ROUNDINGS_OF_VIEW);
 }
 
 static inline double rounding_at(const Patch *p, double distance)

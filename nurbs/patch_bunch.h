@@ -8,8 +8,9 @@
 typedef struct { V8d x, y, z, w; } Vec4x8;
 typedef struct { Vec4x8 value, by_s, by_t; } PatchPoints;
 
-/* Beyond this order the polynomials are made one by one. */
+/* Beyond this order lanes are evaluated one by one. */
 enum { BUNCH_MAX_ORDER = 4 };
+static inline bool is_in_lanes(const Patch *p) { return p->k_u <= BUNCH_MAX_ORDER && p->k_v <= BUNCH_MAX_ORDER; }
 
 /* As kernel_bernstein has them. */
 ALWAYS_INLINE void bunch_bernstein(int k, V8d x, V8d b[], V8d d[])
@@ -68,25 +69,46 @@ ALWAYS_INLINE PatchPoints bunch_blend(const Patch *p, int k_u, int k_v, bool has
     return out;
 }
 
-ALWAYS_INLINE void set_lane(Vec4x8 *out, int i, V4 p)
+/* Points of eight lanes by their coordinates. */
+ALWAYS_INLINE Vec4x8 in_lanes(const V4 p[])
 {
-    out->x[i] = p[0], out->y[i] = p[1], out->z[i] = p[2], out->w[i] = p[3];
+    V8d ab = __builtin_shufflevector(p[0], p[1], 0, 1, 2, 3, 4, 5, 6, 7);
+    V8d cd = __builtin_shufflevector(p[2], p[3], 0, 1, 2, 3, 4, 5, 6, 7);
+    V8d ef = __builtin_shufflevector(p[4], p[5], 0, 1, 2, 3, 4, 5, 6, 7);
+    V8d gh = __builtin_shufflevector(p[6], p[7], 0, 1, 2, 3, 4, 5, 6, 7);
+    V8d xy = __builtin_shufflevector(ab, cd, 0, 4, 8, 12, 1, 5, 9, 13);
+    V8d zw = __builtin_shufflevector(ab, cd, 2, 6, 10, 14, 3, 7, 11, 15);
+    V8d xy2 = __builtin_shufflevector(ef, gh, 0, 4, 8, 12, 1, 5, 9, 13);
+    V8d zw2 = __builtin_shufflevector(ef, gh, 2, 6, 10, 14, 3, 7, 11, 15);
+    return (Vec4x8){ __builtin_shufflevector(xy, xy2, 0, 1, 2, 3, 8, 9, 10, 11),
+                     __builtin_shufflevector(xy, xy2, 4, 5, 6, 7, 12, 13, 14, 15),
+                     __builtin_shufflevector(zw, zw2, 0, 1, 2, 3, 8, 9, 10, 11),
+                     __builtin_shufflevector(zw, zw2, 4, 5, 6, 7, 12, 13, 14, 15) };
 }
 
-ALWAYS_INLINE PatchPoints bunch_one_by_one(const Patch *p, V8d s, V8d t)
+typedef struct { V4 value[BUNCH_WIDTH], by_s[BUNCH_WIDTH], by_t[BUNCH_WIDTH]; } LanePoints;
+
+ALWAYS_INLINE void set_lane(LanePoints *all, int i, PatchPoint at)
 {
-    PatchPoints out;
-    for (int i = 0; i < BUNCH_WIDTH; i++) {
-        PatchPoint at = kernel_blend(p, p->k_u, p->k_v, s[i], t[i]);
-        set_lane(&out.value, i, at.value), set_lane(&out.by_s, i, at.by_s), set_lane(&out.by_t, i, at.by_t);
-    }
-    return out;
+    all->value[i] = at.value, all->by_s[i] = at.by_s, all->by_t[i] = at.by_t;
 }
 
-/* The homogeneous numerator and its derivatives by s and t, about the patch's origin. */
+ALWAYS_INLINE PatchPoints points_in_lanes(const LanePoints *all)
+{
+    return (PatchPoints){ in_lanes(all->value), in_lanes(all->by_s), in_lanes(all->by_t) };
+}
+
+/* Of no patch, for lanes that are not asked for. */
+ALWAYS_INLINE void set_no_points(Lanes lanes, LanePoints *all)
+{
+    const V4 zero = v4_splat(0);
+    for (int i = 0; i < BUNCH_WIDTH; i++)
+        if (!(lanes >> i & 1)) set_lane(all, i, (PatchPoint){ { 0, 0, 0, 1 }, zero, zero });
+}
+
+/* The homogeneous numerator and its derivatives by s and t, about the patch's origin, of orders up to BUNCH_MAX_ORDER. */
 ALWAYS_INLINE PatchPoints bunch_evaluate(const Patch *p, V8d s, V8d t)
 {
-    if (p->k_u > BUNCH_MAX_ORDER || p->k_v > BUNCH_MAX_ORDER) return bunch_one_by_one(p, s, t);
     if (p->k_u == 4 && p->k_v == 4 && p->is_polynomial) return bunch_blend(p, 4, 4, false, s, t);
     if (p->k_u == 3 && p->k_v == 3) return bunch_blend(p, 3, 3, true, s, t);
     if (p->k_u == 3 && p->k_v == 4) return bunch_blend(p, 3, 4, true, s, t);

@@ -14,6 +14,11 @@ ALWAYS_INLINE Vec3x8 vec8_sub(Vec3x8 a, Vec3x8 b) { return (Vec3x8){ a.x - b.x, 
 ALWAYS_INLINE Vec3x8 vec8_scale(Vec3x8 a, V8d s) { return (Vec3x8){ a.x * s, a.y * s, a.z * s }; }
 ALWAYS_INLINE V8d vec8_dot(Vec3x8 a, Vec3x8 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
+ALWAYS_INLINE Vec3x8 vec8_cross(Vec3x8 a, Vec3x8 b)
+{
+    return (Vec3x8){ a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x };
+}
+
 ALWAYS_INLINE V8d vec8_max_abs(Vec3x8 a)          /* components that are NaN count for nothing */
 {
     return v8d_max(v8d_abs(a.x), v8d_max(v8d_abs(a.y), v8d_max(v8d_abs(a.z), v8d_splat(0))));

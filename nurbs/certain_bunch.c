@@ -1,5 +1,6 @@
-/* Eight rays at a tile, and then at its halves, those that it leaves in doubt; alone, where that leads nowhere, or where the
- * machine has no registers for eight. What a ray finds does not depend on those beside it. */
+/* Eight rays at a tile, and then at its halves, those that it leaves in doubt; or each at a tile of its own. They go on alone
+ * where that leads nowhere, and where the machine has no registers for eight. What a ray finds at a tile does not depend on
+ * those beside it, but by rounding, where they ask for other tiles. */
 #include "nurbs/certain_bunch.h"
 
 #include "nurbs/certain.h"
@@ -11,7 +12,7 @@ enum { MAX_LEVEL = 6 };
 
 typedef struct {
     RayBunch *b;
-    uint32_t tile;               /* of its tree's */
+    const BunchItems *items;     /* tiles, by their numbers in their trees */
     BunchLimits limits;
     Trace *trace;
     CertainHits *nearest;        /* NULL: any hit will do, and ends the lane's search */
@@ -19,6 +20,8 @@ typedef struct {
 } Search;
 
 typedef struct { const Tile *part; Lanes lanes; int level; } Doubt;
+
+static uint32_t tile_number(const Search *k, int i) { return bunch_item(k->items, i); }
 
 /* ---- one by one ---- */
 
@@ -33,8 +36,8 @@ static void go_alone(Search *k, const Tile *part, int i)
     double *limit = bunch_limit(k->limits, i);
     CertainHit hit;
     bunch_begin(k->b, i, k->trace);
-    bool is_hit = k->nearest ? certain_nearest_on(part, k->tile, r, *limit, k->trace, &hit)
-                             : certain_any_on(part, k->tile, r, *limit, k->trace);
+    bool is_hit = k->nearest ? certain_nearest_on(part, tile_number(k, i), r, *limit, k->trace, &hit)
+                             : certain_any_on(part, tile_number(k, i), r, *limit, k->trace);
     bunch_end(k->b, i, k->trace);
     if (!is_hit) return;
     k->hit |= 1u << i;
@@ -67,7 +70,9 @@ static Lanes keep_roots(const Search *k, const Tile *part, const Roots *roots, c
         int i = lanes_next(&left);
         Root root = roots_get(roots, i);
         Vec3 d = vec8_get(&f->d, i);
-        if (certain_keeps(tile_tree_of(part), k->tile, part, d, &root, found->u[i], found->v[i], k->trace)) kept |= 1u << i;
+        bool is_kept = certain_keeps(tile_tree_of(part), tile_number(k, i), part, d, &root, found->u[i], found->v[i],
+                                     k->trace);
+        kept |= (Lanes)is_kept << i;
     }
     return kept;
 }
@@ -78,8 +83,8 @@ static void take_nearest(Search *k, const Tile *part, const Roots *roots, const 
     while (kept) {
         int i = lanes_next(&kept);
         BunchLane *lane = &k->b->lane[i];
-        *bunch_limit(k->limits, i) = out->t[i] = found->t[i], out->t_error[i] = found->t_error[i], out->tile[i] = k->tile;
-        out->u[i] = found->u[i], out->v[i] = found->v[i];
+        *bunch_limit(k->limits, i) = out->t[i] = found->t[i], out->t_error[i] = found->t_error[i];
+        out->u[i] = found->u[i], out->v[i] = found->v[i], out->tile[i] = tile_number(k, i);
         lane->root = (RayRoot){ part->patch, roots->s[i], roots->t[i], lane->seed };
     }
 }
@@ -130,28 +135,80 @@ static void search_parts(Search *k, const Tile *tile, Lanes lanes)
     }
 }
 
+/* ---- each at a tile of its own ---- */
+
+static const Tile *tile_at(const Search *k, int i) { return k->items->at[i]; }
+
+static void take_root(Search *k, int i, const Root *root)
+{
+    const Tile *tile = tile_at(k, i);
+    const Patch *p = tile->patch;
+    const BunchFrames *f = &k->b->frames;
+    double u = patch_u(p, root->s), v = patch_v(p, root->t), length = f->length[i];
+    if (!certain_keeps(tile_tree_of(tile), tile_number(k, i), tile, vec8_get(&f->d, i), root, u, v, k->trace)) return;
+    k->hit |= 1u << i;
+    if (!k->nearest) return;
+    CertainHit hit = { .t = root->depth / length, .t_error = root->distance / length, .u = u, .v = v,
+                       .tile = tile_number(k, i) };
+    keep_hit(k->nearest, i, &hit);
+    *bunch_limit(k->limits, i) = hit.t;
+    k->b->lane[i].root = (RayRoot){ p, root->s, root->t, k->b->lane[i].seed };
+}
+
+EVERY_X86
+static void search_each(Search *k, Lanes lanes)
+{
+    bunch_use_frames(k->b);
+    lanes &= k->b->frames.finite;
+    if (!lanes) return;
+    const Tile *tiles[BUNCH_WIDTH], *any = tile_at(k, __builtin_ctz(lanes));
+    for (int i = 0; i < BUNCH_WIDTH; i++) tiles[i] = lanes >> i & 1 ? tile_at(k, i) : any;
+    Roots roots;
+    LanesLeft left;
+    Lanes rooted = tiles_roots_bunch(tiles, k->b, lanes, k->limits, &roots, &left, k->trace);
+    while (rooted) {
+        int i = lanes_next(&rooted);
+        Root root = roots_get(&roots, i);
+        take_root(k, i, &root);
+    }
+    for (Lanes alone = left.alone | left.in_doubt; alone; ) {
+        int i = lanes_next(&alone);
+        go_alone(k, tiles[i], i);
+    }
+}
+
+/* ---- counted ---- */
+
 /* Each lane counts once. */
-static Lanes search_tile(Search *k, const Tile *tile, Lanes lanes)
+static Lanes search(Search *k, Lanes lanes)
 {
     Counters *count = &k->trace->counters;
     uint64_t n_tests = count->leaf_tests + (uint64_t)__builtin_popcount(lanes);
     double begin = k->trace->measures_time ? stats_now() : 0, counted = count->nurbs_seconds;
-    if (v8d_is_one_register()) search_parts(k, tile, lanes);
-    else while (lanes) go_alone(k, tile, lanes_next(&lanes));
+    if (!v8d_is_one_register()) {
+        while (lanes) {
+            int i = lanes_next(&lanes);
+            go_alone(k, tile_at(k, k->items->is_one ? 0 : i), i);
+        }
+    } else if (k->items->is_one) {
+        search_parts(k, tile_at(k, 0), lanes);
+    } else {
+        search_each(k, lanes);
+    }
     count->leaf_tests = n_tests;
     if (k->trace->measures_time) count->nurbs_seconds = counted + stats_now() - begin;
     return k->hit;
 }
 
-Lanes certain_nearest_on_bunch(const Tile *tile, uint32_t i, RayBunch *b, Lanes lanes, BunchLimits limits, Trace *t,
+Lanes certain_nearest_on_bunch(const BunchItems *items, RayBunch *b, Lanes lanes, BunchLimits limits, Trace *t,
                                CertainHits *out)
 {
-    return search_tile(&(Search){ .b = b, .tile = i, .limits = limits, .trace = t, .nearest = out }, tile, lanes);
+    return search(&(Search){ .b = b, .items = items, .limits = limits, .trace = t, .nearest = out }, lanes);
 }
 
-Lanes certain_any_on_bunch(const Tile *tile, uint32_t i, RayBunch *b, Lanes lanes, const double t_max[], Trace *t)
+Lanes certain_any_on_bunch(const BunchItems *items, RayBunch *b, Lanes lanes, const double t_max[], Trace *t)
 {
-    return search_tile(&(Search){ .b = b, .tile = i, .limits = { (double *)t_max, 1 }, .trace = t }, tile, lanes);
+    return search(&(Search){ .b = b, .items = items, .limits = { (double *)t_max, 1 }, .trace = t }, lanes);
 }
 
 /* ---- a whole tree ---- */
@@ -178,10 +235,23 @@ static Lanes nearest_alone(const Walk *w, RayBunch *b, Lanes lanes, double t_max
     return hit;
 }
 
-static Lanes visit_nearest(void *context, uint32_t i, RayBunch *b, Lanes lanes, double t_max[], Trace *t)
+/* Where the tiles lie. */
+static BunchItems found_in(const TileTree *tree, const BunchItems *items, Lanes lanes)
+{
+    BunchItems out;
+    out.is_one = items->is_one;
+    for (Lanes left = items->is_one ? 1 : lanes; left; ) {
+        int i = lanes_next(&left);
+        out.item[i] = items->item[i], out.at[i] = &tree->tiles[items->item[i]];
+    }
+    return out;
+}
+
+static Lanes visit_nearest(void *context, const BunchItems *items, RayBunch *b, Lanes lanes, double t_max[], Trace *t)
 {
     Walk *w = context;
-    w->hit |= certain_nearest_on_bunch(&w->tree->tiles[i], i, b, lanes, (BunchLimits){ t_max, 1 }, t, w->out);
+    BunchItems tiles = found_in(w->tree, items, lanes);
+    w->hit |= certain_nearest_on_bunch(&tiles, b, lanes, (BunchLimits){ t_max, 1 }, t, w->out);
     return 0;
 }
 
@@ -205,11 +275,12 @@ static Lanes any_alone(const TileTree *tree, RayBunch *b, Lanes lanes, const dou
     return blocked;
 }
 
-static Lanes visit_any(void *context, uint32_t i, RayBunch *b, Lanes lanes, double t_max[], Trace *t)
+static Lanes visit_any(void *context, const BunchItems *items, RayBunch *b, Lanes lanes, double t_max[], Trace *t)
 {
     const TileTree *tree = context;
-    Lanes blocked = certain_any_on_bunch(&tree->tiles[i], i, b, lanes, t_max, t);
-    if (blocked) blocker_note(&t->blockers, tree, i);
+    BunchItems tiles = found_in(tree, items, lanes);
+    Lanes blocked = certain_any_on_bunch(&tiles, b, lanes, t_max, t);
+    if (blocked) blocker_note(&t->blockers, tree, bunch_item(&tiles, __builtin_ctz(blocked)));
     return blocked;
 }
 
@@ -217,7 +288,8 @@ static Lanes still_blocked(const TileTree *tree, RayBunch *b, Lanes lanes, const
 {
     uint32_t i = blocker_recall(&t->blockers, tree);
     if (i >= tree->n_tiles) return 0;
-    Lanes blocked = certain_any_on_bunch(&tree->tiles[i], i, b, lanes, t_max, t);
+    BunchItems tile = { .is_one = true, .item = { i }, .at = { &tree->tiles[i] } };
+    Lanes blocked = certain_any_on_bunch(&tile, b, lanes, t_max, t);
     if (!blocked) blocker_forget(&t->blockers, tree);
     return blocked;
 }

@@ -123,18 +123,22 @@ static Lanes certain_shape_blocks_bunch(const Shape *s, RayBunch *b, Lanes lanes
     return certain_any_bunch(&((const NurbsShape *)s)->tiles, b, lanes, t_max, t);
 }
 
-static Lanes certain_shape_hit_item_bunch(const void *at, uint32_t item, RayBunch *b, Lanes lanes, Hit best[], Trace *t)
+static Lanes certain_shape_hit_items_bunch(const BunchItems *items, RayBunch *b, Lanes lanes, Hit best[], Trace *t)
 {
     CertainHits hits;
-    Lanes hit = certain_nearest_on_bunch(at, item, b, lanes, limits_of(best), t, &hits);
-    if (hit) set_hits(&hits, hit, shape_of_tile(at), best);
+    Lanes hit = certain_nearest_on_bunch(items, b, lanes, limits_of(best), t, &hits);
+    if (hit && items->is_one) set_hits(&hits, hit, shape_of_tile(items->at[0]), best);
+    for (Lanes left = items->is_one ? 0 : hit; left; ) {
+        int i = lanes_next(&left);
+        set_hits(&hits, 1u << i, shape_of_tile(items->at[i]), best);
+    }
     return hit;
 }
 
-static Lanes certain_shape_item_blocks_bunch(const void *at, uint32_t item, RayBunch *b, Lanes lanes, const double t_max[],
+static Lanes certain_shape_items_block_bunch(const BunchItems *items, RayBunch *b, Lanes lanes, const double t_max[],
                                              Trace *t)
 {
-    return certain_any_on_bunch(at, item, b, lanes, t_max, t);
+    return certain_any_on_bunch(items, b, lanes, t_max, t);
 }
 
 static void certain_shape_all_hits(const Shape *s, const Ray *r, HitList *out, Trace *t)
@@ -158,8 +162,8 @@ static const ShapeType certain_type = {
     .name = "trimmed_nurbs", .bounds = nurbs_bounds, .prepare = certain_shape_prepare, .hit = certain_shape_hit,
     .blocks = certain_shape_blocks, .lend = certain_shape_lend, .be_among = certain_shape_be_among,
     .hit_item = certain_shape_hit_item, .item_blocks = certain_shape_item_blocks, .hit_bunch = certain_shape_hit_bunch,
-    .blocks_bunch = certain_shape_blocks_bunch, .hit_item_bunch = certain_shape_hit_item_bunch,
-    .item_blocks_bunch = certain_shape_item_blocks_bunch, .all_hits = certain_shape_all_hits,
+    .blocks_bunch = certain_shape_blocks_bunch, .hit_items_bunch = certain_shape_hit_items_bunch,
+    .items_block_bunch = certain_shape_items_block_bunch, .all_hits = certain_shape_all_hits,
     .attributes = certain_shape_attributes, .tessellate = nurbs_tessellate,
 };
 

@@ -64,6 +64,28 @@ static inline int lanes_next(Lanes *lanes)
     return i;
 }
 
+/* What rays of a bunch ask for: all for the same, number 0 of these, or each for its own. */
+struct BunchItems {
+    bool is_one;
+    uint32_t item[BUNCH_WIDTH];       /* of some list */
+    const void *at[BUNCH_WIDTH];      /* where it lies; a tree of boxes knows nothing of that */
+};
+
+static inline uint32_t bunch_item(const BunchItems *items, int i) { return items->item[items->is_one ? 0 : i]; }
+
+/* Takes from *lanes those that ask for what the first of them asks for. */
+static inline Lanes lanes_together(const BunchItems *items, Lanes *lanes)
+{
+    Lanes all = *lanes, together = 0;
+    uint32_t first = items->item[__builtin_ctz(all)];
+    for (Lanes left = all; left; ) {
+        int i = lanes_next(&left);
+        together |= (Lanes)(items->item[i] == first) << i;
+    }
+    *lanes &= ~together;
+    return together;
+}
+
 /* Before and after a ray goes on alone. */
 static inline void lane_begin(const BunchLane *lane, Trace *t)
 {

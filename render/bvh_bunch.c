@@ -3,12 +3,14 @@
  * What is computed of a ray and a box is what bvh_wide.c computes of them, by the same operations, with its proof that
  * nothing is turned away which the ray meets. Only rays whose directions have the same signs go together, so that they
  * meet the same sides of a box first; others follow. (Where one or two are left, to let each see eight boxes at once makes
- * no difference.)
+ * no difference.) Rays that have little in common go apart (bvh_apart.c), and so do all in a tree that lies in main memory,
+ * where those that go together wait for each node together.
  *
  * A child waits with the rays that meet it, and with the least t at which they do. Rays are lanes of a mask: of those that
  * are not in it nothing is changed, whatever numbers stand there. */
 #include "render/bvh_bunch.h"
 
+#include "render/bvh_apart.h"
 #include "render/bvh_walk.h"
 
 /* ---- rays and the tree's bounds ---- */
@@ -183,6 +185,13 @@ ALWAYS_INLINE void meet_children(Walk *w, const WideNode *n, Lanes lanes)
 
 typedef struct { BvhBunchVisit visit; void *context; } Visitor;
 
+ALWAYS_INLINE Lanes visit_together(Visitor v, uint32_t item, RayBunch *b, Lanes lanes, double t_max[], Trace *t)
+{
+    BunchItems items;
+    items.is_one = true, items.item[0] = item;
+    return v.visit(v.context, &items, b, lanes, t_max, t) & lanes;
+}
+
 /* Those of the rays whose directions have the same signs as the first's. */
 ALWAYS_INLINE Lanes same_signs(Walk *w, Lanes lanes)
 {
@@ -193,6 +202,16 @@ ALWAYS_INLINE Lanes same_signs(Walk *w, Lanes lanes)
         lanes &= w->side[k] ? negative : ~negative;
     }
     return lanes;
+}
+
+/* Rays into more octants than this have little in common. */
+#define MOST_OCTANTS 2
+
+ALWAYS_INLINE bool are_apart(Walk *w, Lanes lanes)
+{
+    int octants = 0;
+    for (; lanes && octants <= MOST_OCTANTS; octants++) lanes &= ~same_signs(w, lanes);
+    return octants > MOST_OCTANTS;
 }
 
 ALWAYS_INLINE V8f v8f_only(Lanes lanes, V8f a, V8f otherwise)
@@ -214,7 +233,7 @@ ALWAYS_INLINE Lanes walk_down(Walk *w, RayBunch *b, Lanes lanes, double t_max[],
             going &= v8_mask(__builtin_convertvector(v8f_splat(next.t) <= w->limit, V8c));
         if (!going) continue;
         if (next.child & IS_ITEM) {
-            ended |= v.visit(v.context, next.child & ~IS_ITEM, b, going, t_max, t) & going;
+            ended |= visit_together(v, next.child & ~IS_ITEM, b, going, t_max, t);
             if (w->nearest_first) w->limit = limits_of(&w->slabs, t_max);
         } else {
             meet_children(w, &w->tree->nodes[next.child], going);
@@ -227,7 +246,7 @@ ALWAYS_INLINE Lanes visit_single(const WideBvh *tree, RayBunch *b, Lanes lanes, 
 {
     V8d enter;
     lanes &= enter_box(&tree->bounds, b, v8d_load_doubles(t_max), &enter);
-    return lanes ? v.visit(v.context, tree->single, b, lanes, t_max, t) & lanes : 0;
+    return lanes ? visit_together(v, tree->single, b, lanes, t_max, t) : 0;
 }
 
 ALWAYS_INLINE Lanes walk(const WideBvh *tree, RayBunch *b, Lanes lanes, double t_max[], Visitor v, Trace *t,
@@ -243,6 +262,10 @@ ALWAYS_INLINE Lanes walk(const WideBvh *tree, RayBunch *b, Lanes lanes, double t
     w.tree = tree, w.slabs = b->slabs, w.nearest_first = nearest_first, w.n_boxes = 0;
     w.ahead = t->fetches_ahead = was_ahead || tree->is_large;
     w.limit = limits_of(&w.slabs, t_max);
+    if (w.ahead || are_apart(&w, left)) {
+        ended = bvh_walk_apart(tree, b, left, t_max, v.visit, v.context, nearest_first, t);
+        left = 0;
+    }
     while (left) {
         Lanes together = same_signs(&w, left);
         ended |= walk_down(&w, b, together, t_max, v, t);
@@ -261,7 +284,7 @@ static bool visit_alone(void *context, uint32_t item, const Ray *r, double *t_ma
 {
     Alone *a = context;
     (void)r, (void)t_max;      /* which is that of a->t_max */
-    return a->v.visit(a->v.context, item, a->b, 1u << a->i, a->t_max, t) != 0;
+    return visit_together(a->v, item, a->b, 1u << a->i, a->t_max, t) != 0;
 }
 
 static Lanes walk_alone(const Bvh *tree, RayBunch *b, Lanes lanes, double t_max[], Visitor v, Trace *t)

@@ -5,9 +5,9 @@
 #include "render/bunch.h"
 #include "render/bvh.h"
 
-/* As BvhVisit for rays of a bunch, each with its t_max[i]: those of `lanes` meet the item's box. Returns those of them that
- * have ended. */
-typedef Lanes (*BvhBunchVisit)(void *context, uint32_t i, RayBunch *b, Lanes lanes, double t_max[], Trace *t);
+/* As BvhVisit for rays of a bunch, each with its t_max[i]: those of `lanes` meet the box of the item that they ask for.
+ * Returns those of them that have ended. */
+typedef Lanes (*BvhBunchVisit)(void *context, const BunchItems *items, RayBunch *b, Lanes lanes, double t_max[], Trace *t);
 
 /* bvh_traverse and bvh_any for the rays of `lanes`: each visits at least the items whose boxes it meets before t_max[i],
  * once; nearest first as far as the rays agree about that. Boxes are counted once for each ray. Returns the rays that visits

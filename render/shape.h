@@ -39,6 +39,7 @@ typedef struct MeshSink MeshSink;   /* receives triangles, for export */
 typedef struct Sdl Sdl;             /* receives scene text, for export */
 typedef struct Bvh Bvh;             /* a tree of boxes */
 typedef struct RayBunch RayBunch;   /* rays that are traced together: bunch.h */
+typedef struct BunchItems BunchItems;
 typedef unsigned Lanes;             /* of a bunch: a bit for each ray */
 enum { BUNCH_WIDTH = 8 };
 
@@ -65,8 +66,8 @@ struct ShapeType {
      * which of them are hit, or blocked. NULL: one by one. */
     Lanes (*hit_bunch)(const Shape *s, RayBunch *b, Lanes lanes, Hit best[], Trace *t);
     Lanes (*blocks_bunch)(const Shape *s, RayBunch *b, Lanes lanes, const double t_max[], Trace *t);
-    Lanes (*hit_item_bunch)(const void *at, uint32_t item, RayBunch *b, Lanes lanes, Hit best[], Trace *t);
-    Lanes (*item_blocks_bunch)(const void *at, uint32_t item, RayBunch *b, Lanes lanes, const double t_max[], Trace *t);
+    Lanes (*hit_items_bunch)(const BunchItems *items, RayBunch *b, Lanes lanes, Hit best[], Trace *t);
+    Lanes (*items_block_bunch)(const BunchItems *items, RayBunch *b, Lanes lanes, const double t_max[], Trace *t);
     const Shape *(*bare)(const Shape *s);   /* what answers blocks() in its place; NULL: itself */
     void (*all_hits)  (const Shape *s, const Ray *r, HitList *out, Trace *t); /* appends, by t; NULL: hit() repeated */
     bool (*inside)    (const Shape *s, Vec3 p);                               /* NULL: a surface without an inside */

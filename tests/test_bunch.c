@@ -71,16 +71,27 @@ static const Bvh *balls_lend(Shape *s, Arena *own, Trace *t, const ShapeType **l
     return ((Balls *)s)->tree;
 }
 
-static Lanes ball_hit_bunch(const void *at, uint32_t item, RayBunch *b, Lanes lanes, Hit best[], Trace *t)
+static Lanes balls_hit_bunch(const BunchItems *items, RayBunch *b, Lanes lanes, Hit best[], Trace *t)
 {
-    (void)item;
-    return shape_hit_bunch(((const Ball *)at)->sphere, b, lanes, best, t);
+    Lanes hit = 0;
+    while (lanes) {
+        const Ball *ball = items->at[items->is_one ? 0 : __builtin_ctz(lanes)];
+        Lanes together = items->is_one ? lanes : lanes_together(items, &lanes);
+        hit |= shape_hit_bunch(ball->sphere, b, together, best, t);
+        lanes &= ~together;
+    }
+    return hit;
 }
 
-static Lanes ball_blocks_bunch(const void *at, uint32_t item, RayBunch *b, Lanes lanes, const double t_max[], Trace *t)
+static Lanes balls_block_bunch(const BunchItems *items, RayBunch *b, Lanes lanes, const double t_max[], Trace *t)
 {
-    (void)item;
-    return shape_blocks_bunch(((const Ball *)at)->sphere, b, lanes, t_max, t);
+    Lanes blocked = 0;
+    for (; lanes; lanes &= lanes - 1) {
+        int i = __builtin_ctz(lanes);
+        const Ball *ball = items->at[items->is_one ? 0 : i];
+        blocked |= shape_blocks_bunch(ball->sphere, b, 1u << i, t_max, t);
+    }
+    return blocked;
 }
 
 /* Of two kinds: one knows bunches. */
@@ -88,8 +99,8 @@ static const ShapeType balls_types[2] = {
     { .name = "balls", .bounds = balls_bounds, .prepare = balls_prepare, .hit = balls_hit, .lend = balls_lend,
       .hit_item = ball_hit, .item_blocks = ball_blocks },
     { .name = "balls", .bounds = balls_bounds, .prepare = balls_prepare, .hit = balls_hit, .lend = balls_lend,
-      .hit_item = ball_hit, .item_blocks = ball_blocks, .hit_item_bunch = ball_hit_bunch,
-      .item_blocks_bunch = ball_blocks_bunch },
+      .hit_item = ball_hit, .item_blocks = ball_blocks, .hit_items_bunch = balls_hit_bunch,
+      .items_block_bunch = balls_block_bunch },
 };
 
 static Shape *balls_new(Arena *a, TestRandom *r, int kind)

@@ -44,14 +44,21 @@ typedef struct {
     Lanes seen[MOST], going;          /* going: have not ended */
     TestRandom *random;               /* ends rays by chance; NULL: none */
     int n_wrong;                      /* visits of rays that were not to come */
+    int n_apart;                      /* visits where each ray had its own item */
 } Visits;
 
-static Lanes note(void *context, uint32_t i, RayBunch *b, Lanes lanes, double t_max[], Trace *t)
+static Lanes note(void *context, const BunchItems *items, RayBunch *b, Lanes lanes, double t_max[], Trace *t)
 {
     Visits *v = context;
     (void)b, (void)t_max, (void)t;
-    v->n_wrong += !lanes || (lanes & ~v->going) || (lanes & v->seen[i]);
-    v->seen[i] |= lanes;
+    v->n_wrong += !lanes || (lanes & ~v->going);
+    v->n_apart += !items->is_one;
+    for (Lanes left = lanes; left; ) {
+        int k = lanes_next(&left);
+        uint32_t i = bunch_item(items, k);
+        v->n_wrong += v->seen[i] >> k & 1;
+        v->seen[i] |= 1u << k;
+    }
     Lanes ends = v->random && test_int(v->random, 0, 9) == 0 ? lanes & (Lanes)test_int(v->random, 0, 255) : 0;
     v->going &= ~ends;
     return ends;
@@ -60,7 +67,7 @@ static Lanes note(void *context, uint32_t i, RayBunch *b, Lanes lanes, double t_
 static Lanes visit(const Scene *s, BunchQuery *q, bool any, Trace *t, Visits *v)
 {
     memset(v->seen, 0, sizeof v->seen);
-    v->going = q->lanes, v->n_wrong = 0;
+    v->going = q->lanes, v->n_wrong = v->n_apart = 0;
     Lanes ended = any ? bvh_any_bunch(s->tree, &q->b, q->lanes, q->t_max, note, v, t)
                       : bvh_traverse_bunch(s->tree, &q->b, q->lanes, q->t_max, note, v, t);
     return ended;
@@ -81,11 +88,13 @@ static void check_bunch(const Scene *s, BunchQuery *q, const Visits *v, bool is_
     }
 }
 
-static void check_bunches(unsigned seed, bool is_whole)
+/* How many bunches have gone apart. */
+static int check_bunches(unsigned seed, bool is_whole)
 {
     TestRandom r = test_random(seed);
     Scene s = any_scene(&r, is_whole);
-    Trace trace = { 0 };
+    Trace trace = { .scratch = s.arena };
+    int n_apart = 0;
     for (int k = 0; k < 60; k++) {
         static BunchQuery q;
         static Visits v;
@@ -93,34 +102,40 @@ static void check_bunches(unsigned seed, bool is_whole)
         trace.fetches_ahead = k % 4 == 0;     /* as in large trees */
         v.random = k % 3 == 0 ? &r : NULL;
         Lanes ended = visit(&s, &q, k % 2, &trace, &v);
+        n_apart += v.n_apart > 0;
         CHECK(ended == (q.lanes & ~v.going), "seed %u, bunch %d: %x, not %x", seed, k, ended, q.lanes & ~v.going);
         check_bunch(&s, &q, &v, is_whole, seed, k);
     }
     free_scene(&s);
+    return n_apart;
 }
 
 static void each_ray_of_a_bunch_visits_all_boxes_that_it_meets_until_it_ends(void **state)
 {
     (void)state;
-    for (unsigned seed = 0; seed < 40; seed++) check_bunches(seed, false);
+    int n_apart = 0;
+    for (unsigned seed = 0; seed < 40; seed++) n_apart += check_bunches(seed, false);
+    assert_true(n_apart > 600 && n_apart < 1800);
 }
 
 static void a_ray_of_a_bunch_that_touches_a_box_meets_it(void **state)
 {
     (void)state;
-    for (unsigned seed = 0; seed < 30; seed++) check_bunches(seed, true);
+    int n_apart = 0;
+    for (unsigned seed = 0; seed < 30; seed++) n_apart += check_bunches(seed, true);
+    assert_true(n_apart > 450 && n_apart < 1350);
 }
 
 /* ---- the nearest ---- */
 
-static Lanes meet(void *context, uint32_t i, RayBunch *b, Lanes lanes, double t_max[], Trace *t)
+static Lanes meet(void *context, const BunchItems *items, RayBunch *b, Lanes lanes, double t_max[], Trace *t)
 {
     const Scene *s = context;
     (void)t;
     while (lanes) {
         int k = lanes_next(&lanes);
         double at;
-        if (meets(&s->boxes[i], &b->ray[k], t_max[k], false, &at) && at < t_max[k]) t_max[k] = at;
+        if (meets(&s->boxes[bunch_item(items, k)], &b->ray[k], t_max[k], false, &at) && at < t_max[k]) t_max[k] = at;
     }
     return 0;
 }
@@ -140,7 +155,7 @@ static void the_nearest_boxes_are_those_of_the_rays_alone(void **state)
     for (unsigned seed = 1000; seed < 1030; seed++) {
         TestRandom r = test_random(seed);
         Scene s = any_scene(&r, false);
-        Trace alone = { 0 }, together = { 0 };
+        Trace alone = { 0 }, together = { .scratch = s.arena };
         for (int k = 0; k < 60; k++) {
             static BunchQuery q;
             any_bunch(&r, &s, &q);
@@ -175,7 +190,7 @@ static void boxes_are_counted_as_for_the_rays_alone(void **state)
     for (unsigned seed = 2000; seed < 2030; seed++) {
         TestRandom r = test_random(seed);
         Scene s = any_scene(&r, false);
-        Trace alone = { 0 }, together = { .is_shadow_ray = true };
+        Trace alone = { 0 }, together = { .scratch = s.arena, .is_shadow_ray = true };
         for (int k = 0; k < 60; k++) {
             static BunchQuery q;
             static Visits v;
@@ -205,7 +220,7 @@ static void small_and_binary_trees_lose_no_box(void **state)
         s.n = (uint32_t)(seed % 2 ? seed % 10 : MOST / 3);
         if (s.n == 0 || s.n > MOST) s.n = 1;
         s.tree = bvh_build(s.arena, s.boxes, s.n, seed % 2 ? BVH_SAH : BVH_MEDIAN);
-        Trace trace = { 0 };
+        Trace trace = { .scratch = s.arena };
         for (int k = 0; k < 60; k++) {
             static BunchQuery q;
             static Visits v;
@@ -226,7 +241,7 @@ static void rays_are_made_anew_for_a_tree_that_is_not_within_the_last(void **sta
     for (unsigned seed = 4000; seed < 4016; seed++) {
         TestRandom r = test_random(seed);
         Scene a = any_scene(&r, false), b = any_scene(&r, false);
-        Trace trace = { 0 };
+        Trace trace = { .scratch = a.arena };
         for (int k = 0; k < 40; k++) {
             static BunchQuery q;
             static Visits v;

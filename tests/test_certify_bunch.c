@@ -66,19 +66,44 @@ static bool are_all(const Found *truth, const Ray *r, double t_max, bool is_foun
     return true;
 }
 
+/* What rays ask for: all for one tile, or each for its own, some of them for the same. */
+typedef struct { bool is_one; const Tile *of[BUNCH_WIDTH]; } Tiles;
+
+static const Tile *tile_of(const Tiles *tiles, int i) { return tiles->of[tiles->is_one ? 0 : i]; }
+
+static Tiles one_tile(const Tile *p) { return (Tiles){ true, { p } }; }
+
+static Tiles random_tiles(Fixture *f, TestRandom *r, double bump, double ratio)
+{
+    Tiles tiles = { false, { NULL } };
+    const Tile *whole = random_tile(f, r, bump, ratio);
+    for (int i = 0; i < BUNCH_WIDTH; i++) {
+        if (i > 0 && test_int(r, 0, 3) == 0) whole = random_tile(f, r, bump, ratio);
+        tiles.of[i] = random_part(r, whole);
+    }
+    return tiles;
+}
+
+static Lanes roots_of(const Tiles *tiles, Bunch *k, Lanes lanes, Roots *out, LanesLeft *left, Trace *t)
+{
+    BunchLimits limits = { k->t_max, 1 };
+    return tiles->is_one ? tile_roots_bunch(tiles->of[0], &k->b, lanes, limits, out, left, t)
+                         : tiles_roots_bunch(tiles->of, &k->b, lanes, limits, out, left, t);
+}
+
 typedef struct { int n_roots, n_lanes, n_undecided; } Tally;
 
-static void compare_with_clipping(Fixture *f, const Tile *p, Bunch *k, Lanes lanes, unsigned seed, Tally *tally)
+static void compare_with_clipping(Fixture *f, const Tiles *tiles, Bunch *k, Lanes lanes, unsigned seed, Tally *tally)
 {
     Roots roots;
     LanesLeft left_over;
-    Lanes rooted = tile_roots_bunch(p, &k->b, lanes, (BunchLimits){ k->t_max, 1 }, &roots, &left_over, &f->trace);
+    Lanes rooted = roots_of(tiles, k, lanes, &roots, &left_over, &f->trace);
     Lanes undecided = left_over.in_doubt | left_over.alone;
     CHECK(!((rooted | undecided) & ~lanes) && !(rooted & undecided), "seed %u", seed);
     for (Lanes left = lanes & ~undecided; left; ) {
         int i = lanes_next(&left);
         bool is_found = rooted >> i & 1;
-        Found truth = clipped(f, p, &k->b.ray[i], k->t_max[i]);
+        Found truth = clipped(f, tile_of(tiles, i), &k->b.ray[i], k->t_max[i]);
         double depth = is_found ? roots.depth[i] : 0, error = is_found ? roots.depth_error[i] : 0;
         if (is_found) CHECK(has_depth(&truth, depth, error), "seed %u, lane %d: %g", seed, i, depth);
         CHECK(are_all(&truth, &k->b.ray[i], k->t_max[i], is_found, depth, error), "seed %u, lane %d", seed, i);
@@ -93,13 +118,36 @@ static void lanes_lose_and_invent_nothing(void **state)
     Tally tally = { 0 };
     for (unsigned seed = 0; seed < 20000; seed++) {
         TestRandom r = test_random(seed);
-        const Tile *p = random_part(&r, random_tile(f, &r, test_range(&r, 0, 0.1), seed % 2 ? 1 : 4));
+        Tiles p = one_tile(random_part(&r, random_tile(f, &r, test_range(&r, 0, 0.1), seed % 2 ? 1 : 4)));
         Bunch k;
         begin_bunch(&r, &k, test_int(&r, 1, BUNCH_WIDTH));
-        aim_rays(&r, p, &k);
+        aim_rays(&r, p.of[0], &k);
         set_limits(&r, &k);
         Lanes lanes = bunch_all(&k.b) & (Lanes)test_int(&r, 1, 255);
-        compare_with_clipping(f, p, &k, lanes, seed, &tally);
+        compare_with_clipping(f, &p, &k, lanes, seed, &tally);
+    }
+    assert_true(tally.n_roots > 8000);
+    assert_true(tally.n_undecided < 0.4 * tally.n_lanes);
+}
+
+/* Each ray is aimed at its own tile, as the same ray of a bunch at that tile would be. */
+static void lanes_of_many_tiles_lose_and_invent_nothing(void **state)
+{
+    Fixture *f = *state;
+    Tally tally = { 0 };
+    for (unsigned seed = 0; seed < 20000; seed++) {
+        TestRandom r = test_random(seed);
+        Tiles p = random_tiles(f, &r, test_range(&r, 0, 0.1), seed % 2 ? 1 : 4);
+        Bunch k;
+        begin_bunch(&r, &k, test_int(&r, 1, BUNCH_WIDTH));
+        for (int i = 0; i < k.b.n; i++) {
+            Bunch at_tile;
+            aim_rays(&r, p.of[i], &at_tile);
+            k.b.ray[i] = at_tile.b.ray[i];
+        }
+        set_limits(&r, &k);
+        Lanes lanes = bunch_all(&k.b) & (Lanes)test_int(&r, 1, 255);
+        compare_with_clipping(f, &p, &k, lanes, seed, &tally);
     }
     assert_true(tally.n_roots > 8000);
     assert_true(tally.n_undecided < 0.4 * tally.n_lanes);
@@ -112,17 +160,18 @@ static void lanes_that_know_where_they_are_from_lose_nothing(void **state)
     Tally tally = { 0 };
     for (unsigned seed = 0; seed < 20000; seed++) {
         TestRandom r = test_random(seed);
-        const Tile *p = random_part(&r, random_tile(f, &r, test_range(&r, 0, 0.1), seed % 2 ? 1 : 4));
+        double bump = test_range(&r, 0, 0.1), ratio = seed % 2 ? 1 : 4;
+        Tiles p = seed % 3 ? one_tile(random_part(&r, random_tile(f, &r, bump, ratio))) : random_tiles(f, &r, bump, ratio);
         Bunch k;
         begin_bunch(&r, &k, BUNCH_WIDTH);
         for (int i = 0; i < BUNCH_WIDTH; i++) {
-            PatchRay ray = random_ray_from(&r, p);
+            PatchRay ray = random_ray_from(&r, tile_of(&p, i));
             k.b.ray[i] = (Ray){ ray.origin, ray.d, ray.t_min }, k.t_max[i] = INFINITY;
             if (seed % 4) k.lane[i].root = (RayRoot){ ray.from, ray.from_s, ray.from_t, k.lane[i].seed };
         }
         bunch_set_lanes(&k.b);
         bunch_use_frames(&k.b);
-        compare_with_clipping(f, p, &k, bunch_all(&k.b), seed, &tally);
+        compare_with_clipping(f, &p, &k, bunch_all(&k.b), seed, &tally);
     }
     assert_true(tally.n_roots > 20000);
 }
@@ -134,13 +183,14 @@ static void lanes_through_points_of_the_tile_find_them(void **state)
     int n_decided = 0;
     for (unsigned seed = 0; seed < 10000; seed++) {
         TestRandom r = test_random(seed);
-        const Tile *p = random_part(&r, random_tile(f, &r, seed % 3 ? 0.05 : 0.4, seed % 2 ? 1 : 4));
+        double bump = seed % 3 ? 0.05 : 0.4, ratio = seed % 2 ? 1 : 4;
+        Tiles p = seed % 5 ? one_tile(random_part(&r, random_tile(f, &r, bump, ratio))) : random_tiles(f, &r, bump, ratio);
         double distance[BUNCH_WIDTH];
         Bunch k;
         begin_bunch(&r, &k, BUNCH_WIDTH);
         for (int i = 0; i < BUNCH_WIDTH; i++) {
             double s = i < 2 ? i : test_unit(&r), t = test_unit(&r);    /* two on borders */
-            Vec3 d = random_direction(&r), at = vec_add(middle_of(p), point_of(p, s, t));
+            Vec3 d = random_direction(&r), at = vec_add(middle_of(tile_of(&p, i)), point_of(tile_of(&p, i), s, t));
             distance[i] = test_range(&r, 0.5, 4), k.t_max[i] = INFINITY;
             k.b.ray[i] = (Ray){ vec_sub(at, vec_scale(d, distance[i])), d, 0 };
         }
@@ -149,7 +199,7 @@ static void lanes_through_points_of_the_tile_find_them(void **state)
         Roots roots;
         LanesLeft over;
         Lanes all = bunch_all(&k.b);
-        Lanes rooted = tile_roots_bunch(p, &k.b, all, (BunchLimits){ k.t_max, 1 }, &roots, &over, &f->trace);
+        Lanes rooted = roots_of(&p, &k, all, &roots, &over, &f->trace);
         for (Lanes left = all & ~over.in_doubt & ~over.alone; left; n_decided++) {
             int i = lanes_next(&left);
             CHECK(rooted >> i & 1, "seed %u, lane %d", seed, i);
@@ -167,70 +217,123 @@ static bool is_same_hit(const CertainHits *a, const CertainHits *b, int i)
     return a->t[i] == b->t[i] && a->t_error[i] == b->t_error[i] && a->u[i] == b->u[i] && a->v[i] == b->v[i];
 }
 
-static Lanes nearest(Fixture *f, const Tile *p, Bunch *k, Lanes lanes, CertainHits *out)
+static BunchItems items_of(const Tiles *p)
 {
-    double limit[BUNCH_WIDTH];
-    memcpy(limit, k->t_max, sizeof limit);
-    for (int i = 0; i < BUNCH_WIDTH; i++) k->lane[i].root.patch = NULL;
-    return certain_nearest_on_bunch(p, 0, &k->b, lanes, (BunchLimits){ limit, 1 }, &f->trace, out);
+    BunchItems items = { .is_one = p->is_one };
+    for (int i = 0; i < (p->is_one ? 1 : BUNCH_WIDTH); i++) items.at[i] = p->of[i];
+    return items;
 }
 
-/* The nearest of the roots that clipping finds, and a blocked ray where there is one. */
+static Lanes nearest_of(Fixture *f, const Tiles *p, Bunch *k, Lanes lanes, CertainHits *out)
+{
+    double limit[BUNCH_WIDTH];
+    BunchItems items = items_of(p);
+    memcpy(limit, k->t_max, sizeof limit);
+    for (int i = 0; i < BUNCH_WIDTH; i++) k->lane[i].root.patch = NULL;
+    return certain_nearest_on_bunch(&items, &k->b, lanes, (BunchLimits){ limit, 1 }, &f->trace, out);
+}
+
+static Lanes nearest(Fixture *f, const Tile *p, Bunch *k, Lanes lanes, CertainHits *out)
+{
+    Tiles one = one_tile(p);
+    return nearest_of(f, &one, k, lanes, out);
+}
+
+static Lanes any_of(Fixture *f, const Tiles *p, Bunch *k, Lanes lanes)
+{
+    BunchItems items = items_of(p);
+    return certain_any_on_bunch(&items, &k->b, lanes, k->t_max, &f->trace);
+}
+
+/* Is a ray hit, at t of its direction, where the nearest of the roots is that clipping finds, and blocked where there is
+ * one? Roots so near its limits that they may as well be outside are not judged. */
+static void check_nearest(const Found *truth, const Ray *ray, double t_max, bool is_hit, bool is_blocked, double t,
+                          unsigned seed)
+{
+    double length = vec_length(ray->dir), least = INFINITY, error = 0;
+    for (int j = 0; j < truth->n; j++) {
+        double depth = truth->depth[j], e = 2 * truth->error[j];
+        if (depth < ray->t_min * length + e || depth > t_max * length - e) return;
+        if (depth < least) least = depth, error = e;
+    }
+    CHECK(is_hit == (truth->n > 0) && is_blocked == (truth->n > 0), "seed %u", seed);
+    if (truth->n) CHECK_WITHIN(fabs(t * length - least), 2 * error, "seed %u", seed);
+}
+
 static void a_bunch_hits_the_nearest_root_of_each_ray_and_is_blocked_by_any(void **state)
 {
     Fixture *f = *state;
     int n_hits = 0;
     for (unsigned seed = 0; seed < 20000; seed++) {
         TestRandom r = test_random(seed);
-        const Tile *p = random_tile(f, &r, test_range(&r, 0, 0.7), seed % 2 ? 1 : 4);
+        double bump = test_range(&r, 0, 0.7), ratio = seed % 2 ? 1 : 4;
+        Tiles p = seed % 4 ? one_tile(random_tile(f, &r, bump, ratio)) : random_tiles(f, &r, bump, ratio);
         Bunch k;
         begin_bunch(&r, &k, BUNCH_WIDTH);
-        aim_rays(&r, p, &k);
+        aim_rays(&r, p.of[0], &k);
         set_limits(&r, &k);
         CertainHits hits;
-        Lanes all = bunch_all(&k.b), hit = nearest(f, p, &k, all, &hits);
-        Lanes blocked = certain_any_on_bunch(p, 0, &k.b, all, k.t_max, &f->trace);
+        Lanes all = bunch_all(&k.b), hit = nearest_of(f, &p, &k, all, &hits), blocked = any_of(f, &p, &k, all);
         for (int i = 0; i < BUNCH_WIDTH; i++) {
-            const Ray *ray = &k.b.ray[i];
-            double length = vec_length(ray->dir), least = INFINITY, error = 0;
-            Found truth = clipped(f, p, ray, k.t_max[i]);
-            bool is_open = false;
-            for (int j = 0; j < truth.n; j++) {
-                double t = truth.depth[j], e = 2 * truth.error[j];
-                is_open |= t < ray->t_min * length + e || t > k.t_max[i] * length - e;
-                if (t < least) least = t, error = e;
-            }
-            if (is_open) continue;
-            CHECK((hit >> i & 1) == (truth.n > 0) && (blocked >> i & 1) == (truth.n > 0), "seed %u, lane %d", seed, i);
-            if (truth.n) CHECK_WITHIN(fabs(hits.t[i] * length - least), 2 * error, "seed %u, lane %d", seed, i);
-            n_hits += truth.n > 0;
+            Found truth = clipped(f, tile_of(&p, i), &k.b.ray[i], k.t_max[i]);
+            check_nearest(&truth, &k.b.ray[i], k.t_max[i], hit >> i & 1, blocked >> i & 1, hits.t[i], seed);
         }
+        n_hits += __builtin_popcount(hit);
     }
     assert_true(n_hits > 50000);
 }
 
-/* What a ray of a bunch finds does not depend on the rays beside it. */
+/* Up to the rounding that is owned up to: tiles of one bunch are evaluated in another way. */
+static void a_lane_is_hit_as_near_whether_it_is_alone_at_its_tile_or_not(void **state)
+{
+    Fixture *f = *state;
+    int n_hits = 0;
+    for (unsigned seed = 0; seed < 4000; seed++) {
+        TestRandom r = test_random(seed);
+        Tiles each = random_tiles(f, &r, test_range(&r, 0, 0.3), seed % 2 ? 1 : 4);
+        Tiles one = one_tile(each.of[0]);
+        for (int i = 0; i < BUNCH_WIDTH; i += 2) each.of[i] = each.of[0];
+        Bunch k;
+        begin_bunch(&r, &k, BUNCH_WIDTH);
+        aim_rays(&r, one.of[0], &k);
+        for (int i = 0; i < BUNCH_WIDTH; i++) k.t_max[i] = INFINITY;
+        bunch_set_lanes(&k.b);
+        CertainHits a, b;
+        Lanes got_a = nearest_of(f, &one, &k, 0x55, &a), got_b = nearest_of(f, &each, &k, 0xff, &b);
+        CHECK(got_a == (got_b & 0x55), "seed %u", seed);
+        for (Lanes left = got_a; left; n_hits++) {
+            int i = lanes_next(&left);
+            CHECK_WITHIN(fabs(a.t[i] - b.t[i]), a.t_error[i] + b.t_error[i], "seed %u, lane %d", seed, i);
+        }
+    }
+    assert_true(n_hits > 1000);
+}
+
+/* What a ray of a bunch finds does not depend on the rays beside it: at one tile, and where each has its own. */
 static void a_lane_is_hit_the_same_whoever_is_beside_it(void **state)
 {
     Fixture *f = *state;
-    for (unsigned seed = 0; seed < 2000; seed++) {
+    for (unsigned seed = 0; seed < 3000; seed++) {
         TestRandom r = test_random(seed);
-        const Tile *p = random_tile(f, &r, test_range(&r, 0, 0.3), seed % 2 ? 1 : 4);
+        double bump = test_range(&r, 0, 0.3), ratio = seed % 2 ? 1 : 4;
+        int i = test_int(&r, 0, BUNCH_WIDTH - 1);
+        Tiles a = seed % 3 ? one_tile(random_tile(f, &r, bump, ratio)) : random_tiles(f, &r, bump, ratio), b = a;
+        if (!a.is_one) b = random_tiles(f, &r, bump, ratio), b.of[i] = a.of[i];
         Bunch one, other;
         begin_bunch(&r, &one, BUNCH_WIDTH);
-        aim_rays(&r, p, &one);
+        aim_rays(&r, tile_of(&a, i), &one);
         set_limits(&r, &one);
         begin_bunch(&r, &other, BUNCH_WIDTH);
-        aim_rays(&r, p, &other);
+        aim_rays(&r, tile_of(&b, 0), &other);
         set_limits(&r, &other);
-        int i = test_int(&r, 0, BUNCH_WIDTH - 1);
         other.b.ray[i] = one.b.ray[i], other.t_max[i] = one.t_max[i];
         bunch_set_lanes(&other.b);
         bunch_use_frames(&other.b);
-        CertainHits a, b;
-        Lanes lane = 1u << i, got_a = nearest(f, p, &one, lane, &a), got_b = nearest(f, p, &other, 255, &b);
+        CertainHits hits_a, hits_b;
+        Lanes lane = 1u << i;
+        Lanes got_a = nearest_of(f, &a, &one, lane, &hits_a), got_b = nearest_of(f, &b, &other, 255, &hits_b);
         CHECK(got_a == (got_b & lane), "seed %u", seed);
-        if (got_a) CHECK(is_same_hit(&a, &b, i), "seed %u", seed);
+        if (got_a) CHECK(is_same_hit(&hits_a, &hits_b, i), "seed %u", seed);
     }
 }
 
@@ -261,7 +364,8 @@ static void rays_of_no_numbers_hit_nothing_and_disturb_nobody(void **state)
         k.t_max[4] = NAN, k.b.ray[5].t_min = NAN;
         bunch_set_lanes(&k.b);
         CHECK((nearest(f, p, &k, 0xff, &after) & 0x7f) == hit, "seed %u", seed);
-        certain_any_on_bunch(p, 0, &k.b, 0xff, k.t_max, &f->trace);
+        Tiles one = one_tile(p);
+        any_of(f, &one, &k, 0xff);
     }
 }
 
@@ -317,9 +421,11 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(lanes_lose_and_invent_nothing, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(lanes_of_many_tiles_lose_and_invent_nothing, set_up, tear_down),
         cmocka_unit_test_setup_teardown(lanes_that_know_where_they_are_from_lose_nothing, set_up, tear_down),
         cmocka_unit_test_setup_teardown(lanes_through_points_of_the_tile_find_them, set_up, tear_down),
         cmocka_unit_test_setup_teardown(a_bunch_hits_the_nearest_root_of_each_ray_and_is_blocked_by_any, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(a_lane_is_hit_as_near_whether_it_is_alone_at_its_tile_or_not, set_up, tear_down),
         cmocka_unit_test_setup_teardown(a_lane_is_hit_the_same_whoever_is_beside_it, set_up, tear_down),
         cmocka_unit_test_setup_teardown(rays_of_no_numbers_hit_nothing_and_disturb_nobody, set_up, tear_down),
         cmocka_unit_test_setup_teardown(the_length_of_a_direction_changes_no_hit, set_up, tear_down),

@@ -143,7 +143,10 @@ static void add_engines(Bench *b, Engine *certain)
 {
     const char *names = b->options->engines;
     EngineInput in = { .model = &b->model, .method = NURBS_METHOD_PAPER };
-    if (is_listed(names, "certain")) add_entry(b, IS_CERTAIN, "certain", certain);
+    if (is_listed(names, "certain")) {
+        add_entry(b, IS_CERTAIN, "certain", certain);
+        add_entry(b, IS_EIGHTS, "certain, in eights", engine_in_eights(certain));
+    }
     if (is_listed(names, "paper")) add_entry(b, IS_PAPER, "paper", engine_trimray(&in));
     if (is_listed(names, "embree")) add_meshes(b);
     if (is_listed(names, "sisl")) add_entry(b, IS_SISL, "SISL s1856", engine_sisl(&in));

@@ -38,6 +38,7 @@ typedef struct {
     const char *name;
     Ray *rays;                   /* unit directions */
     double *t_max;               /* any hit before it is asked for; NULL: the nearest hit */
+    bool is_coherent;            /* neighbours have about the same way */
     size_t n;
 } RaySet;
 
@@ -70,11 +71,16 @@ struct Engine {
     /* Every stride-th ray of the set: t[0], t[1], ...: the depth, INFINITY for a miss; with t_max: 0 blocked, INFINITY
      * free. */
     void (*shoot)(Engine *e, const RaySet *set, size_t stride, double *t);
+    /* The same, eight rays together, one after the other in the set. NULL: it has none. */
+    void (*shoot_eights)(Engine *e, const RaySet *set, size_t stride, double *t);
     /* The same; seconds of all leaf tests, and how many they were. NULL: it has none. */
     double (*test_seconds)(Engine *e, const RaySet *set, size_t stride, double *t, uint64_t *n_tests);
     void (*release)(Engine *e);
     EngineCost cost;
 };
+
+/* `e`, whose rays go in eights. NULL: it is NULL, or has none. It does not own e. */
+Engine *engine_in_eights(Engine *e);
 
 /* NULL: this engine cannot do the model (or is not compiled in). */
 Engine *engine_trimray(const EngineInput *in);

@@ -1,4 +1,4 @@
-/* Embree 3 on meshes of the model: triangles, or its grids; one ray at a time, one thread. */
+/* Embree 3 on meshes of the model: triangles, or its grids; one ray at a time or eight, one thread. */
 #include "tests/bench/mesh.h"
 
 #include <embree3/rtcore.h>
@@ -8,11 +8,15 @@ typedef struct {
     Engine engine;
     RTCDevice device;
     RTCScene scene;
-    struct RTCIntersectContext context;
+    struct RTCIntersectContext context, coherent;
     size_t held, peak;
     /* The set in single precision, converted before the clock runs. */
     const RaySet *set;
     struct RTCRay *rays;
+    /* The same of every stride-th in eights. */
+    const RaySet *set_of_eights;
+    size_t stride, n_eights;
+    struct RTCRay8 *eights;
 } Embree;
 
 static bool count_memory(void *context, ssize_t bytes, bool post)
@@ -63,25 +67,90 @@ static void embree_shoot(Engine *engine, const RaySet *set, size_t stride, doubl
     }
 }
 
+/* ---- eight at a time ---- */
+
+enum { EIGHT = 8 };
+
+static void set_lane(struct RTCRay8 *all, int i, const struct RTCRay *r)
+{
+    all->org_x[i] = r->org_x, all->org_y[i] = r->org_y, all->org_z[i] = r->org_z;
+    all->dir_x[i] = r->dir_x, all->dir_y[i] = r->dir_y, all->dir_z[i] = r->dir_z;
+    all->tnear[i] = r->tnear, all->tfar[i] = r->tfar, all->mask[i] = r->mask;
+}
+
+/* Lanes without a ray repeat the first. */
+static void take_eights(Embree *e, const RaySet *set, size_t stride)
+{
+    take_set(e, set);
+    if (e->set_of_eights == set && e->stride == stride) return;
+    size_t n = (set->n + stride - 1) / stride;
+    e->set_of_eights = set, e->stride = stride, e->n_eights = (n + EIGHT - 1) / EIGHT;
+    free(e->eights);
+    e->eights = aligned_alloc(_Alignof(struct RTCRay8), e->n_eights * sizeof *e->eights + sizeof *e->eights);
+    memset(e->eights, 0, e->n_eights * sizeof *e->eights);
+    for (size_t i = 0; i < e->n_eights * EIGHT; i++) {
+        size_t k = i < n ? i : i - i % EIGHT;
+        set_lane(&e->eights[i / EIGHT], (int)(i % EIGHT), &e->rays[k * stride]);
+    }
+}
+
+static void intersect_eight(Embree *e, struct RTCIntersectContext *context, const struct RTCRay8 *rays, double t[EIGHT])
+{
+    _Alignas(32) static const int all[EIGHT] = { -1, -1, -1, -1, -1, -1, -1, -1 };
+    struct RTCRayHit8 hit;
+    hit.ray = *rays;
+    memset(hit.hit.geomID, 0xFF, sizeof hit.hit.geomID);     /* RTC_INVALID_GEOMETRY_ID */
+    rtcIntersect8(all, e->scene, context, &hit);
+    for (int i = 0; i < EIGHT; i++)
+        t[i] = hit.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID ? INFINITY : (double)hit.ray.tfar[i];
+}
+
+static void occlude_eight(Embree *e, struct RTCIntersectContext *context, const struct RTCRay8 *rays, double t[EIGHT])
+{
+    _Alignas(32) static const int all[EIGHT] = { -1, -1, -1, -1, -1, -1, -1, -1 };
+    struct RTCRay8 ray = *rays;
+    rtcOccluded8(all, e->scene, context, &ray);
+    for (int i = 0; i < EIGHT; i++) t[i] = ray.tfar[i] < 0 ? 0 : INFINITY;
+}
+
+static void embree_shoot_eights(Engine *engine, const RaySet *set, size_t stride, double *t)
+{
+    Embree *e = (Embree *)engine;
+    take_eights(e, set, stride);
+    struct RTCIntersectContext *context = set->is_coherent ? &e->coherent : &e->context;
+    size_t n = (set->n + stride - 1) / stride;
+    for (size_t i = 0; i < e->n_eights; i++) {
+        double of_eight[EIGHT];
+        if (set->t_max) occlude_eight(e, context, &e->eights[i], of_eight);
+        else intersect_eight(e, context, &e->eights[i], of_eight);
+        for (size_t k = 0; k < EIGHT && i * EIGHT + k < n; k++) *t++ = of_eight[k];
+    }
+}
+
+/* ---- building ---- */
+
 static void embree_release(Engine *engine)
 {
     Embree *e = (Embree *)engine;
     rtcReleaseScene(e->scene);
     rtcReleaseDevice(e->device);
     free(e->rays);
+    free(e->eights);
     free(e);
 }
 
 static Embree *embree_begin(bool is_robust)
 {
     Embree *e = calloc(1, sizeof *e);
-    e->engine = (Engine){ .shoot = embree_shoot, .release = embree_release };
+    e->engine = (Engine){ .shoot = embree_shoot, .shoot_eights = embree_shoot_eights, .release = embree_release };
     e->device = rtcNewDevice("threads=1");
     rtcSetDeviceErrorFunction(e->device, say_error, NULL);
     rtcSetDeviceMemoryMonitorFunction(e->device, count_memory, e);
     e->scene = rtcNewScene(e->device);
     rtcSetSceneFlags(e->scene, is_robust ? RTC_SCENE_FLAG_ROBUST : RTC_SCENE_FLAG_NONE);
     rtcInitIntersectContext(&e->context);
+    rtcInitIntersectContext(&e->coherent);
+    e->coherent.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
     return e;
 }
 

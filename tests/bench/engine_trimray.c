@@ -1,6 +1,7 @@
 /* trimray's own two methods, through render/shape.h. */
 #include "tests/bench/bench.h"
 
+#include "render/bunch.h"
 #include "render/shapes.h"
 
 typedef struct {
@@ -27,6 +28,50 @@ static void trimray_shoot(Engine *engine, const RaySet *set, size_t stride, doub
             shape_hit(e->whole, &set->rays[i], &best, &e->trace);
             *t = best.t;
         }
+    }
+    engine->cost.counters = e->trace.counters;
+}
+
+typedef struct {
+    RayBunch b;
+    BunchLane lane[BUNCH_WIDTH];
+    double t_max[BUNCH_WIDTH];
+    Hit best[BUNCH_WIDTH];
+} Bunch;
+
+static void set_ray(Bunch *k, const RaySet *set, size_t i)
+{
+    int n = k->b.n++;
+    k->b.ray[n] = set->rays[i];
+    k->lane[n] = (BunchLane){ .seed = i + 1 };
+    k->best[n].t = INFINITY;
+    if (set->t_max) k->t_max[n] = set->t_max[i];
+}
+
+static double *shoot_bunch(Trimray *e, Bunch *k, bool any, double *t)
+{
+    Lanes all = bunch_all(&k->b);
+    bunch_set_lanes(&k->b);
+    if (any) {
+        Lanes blocked = shape_blocks_bunch(e->whole, &k->b, all, k->t_max, &e->trace);
+        for (int i = 0; i < k->b.n; i++) *t++ = blocked >> i & 1 ? 0 : INFINITY;
+    } else {
+        shape_hit_bunch(e->whole, &k->b, all, k->best, &e->trace);
+        for (int i = 0; i < k->b.n; i++) *t++ = k->best[i].t;
+    }
+    return t;
+}
+
+static void trimray_shoot_eights(Engine *engine, const RaySet *set, size_t stride, double *t)
+{
+    Trimray *e = (Trimray *)engine;
+    Bunch k;
+    e->trace.counters = engine->cost.counters;
+    e->trace.is_shadow_ray = set->t_max != NULL;
+    k.b.lane = k.lane;
+    for (size_t i = 0; i < set->n; ) {
+        for (k.b.n = 0; i < set->n && k.b.n < BUNCH_WIDTH; i += stride) set_ray(&k, set, i);
+        t = shoot_bunch(e, &k, set->t_max != NULL, t);
     }
     engine->cost.counters = e->trace.counters;
 }
@@ -100,7 +145,8 @@ static Trimray *build(const EngineInput *in)
     size_t before = memory_now();
     memory_reset_peak();
     double begin = processor_now();
-    e->engine = (Engine){ .shoot = trimray_shoot, .test_seconds = trimray_test_seconds, .release = trimray_release };
+    e->engine = (Engine){ .shoot = trimray_shoot, .shoot_eights = trimray_shoot_eights,
+                          .test_seconds = trimray_test_seconds, .release = trimray_release };
     e->arena = arena_new(), e->trace.scratch = arena_new();
     if (!make_parts(e, in)) {
         e->n = 0;

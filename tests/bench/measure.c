@@ -62,7 +62,8 @@ Speed speed_begin(Engine *e, const RaySet *set, double budget, double *t)
     size_t few = set->n / FEW_RAYS + 1, probe = set->n / PROBE_RAYS + 1;
     e->shoot(e, set, few, t);     /* takes the set, warms up */
     if (pass_seconds(e, set, few, t) * PROBE_RAYS > budget * FEW_RAYS) probe = few;    /* some take hours for all */
-    double guess = pass_seconds(e, set, probe, t) * (double)probe;
+    double guess = pass_seconds(e, set, probe, t), again = pass_seconds(e, set, probe, t);    /* what is lazy is made once */
+    guess = double_min(guess, again) * (double)probe;
     if (guess > budget) s.stride = (size_t)ceil(guess / budget);
     if (s.stride > probe) s.stride = probe;
     s.n = (set->n + s.stride - 1) / s.stride;

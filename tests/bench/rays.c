@@ -22,6 +22,7 @@ static Vec3 random_unit(TestRandom *r)
 RaySet rays_camera(const Model *m, Arena *a, int size)
 {
     RaySet set = set_new(a, "camera", (size_t)size * (size_t)size);
+    set.is_coherent = true;
     Vec3 to = vec_normalize(vec(-0.35, -0.6, 0.75)), right = vec_normalize(vec_cross(vec(0, 1, 0), to));
     Vec3 up = vec_cross(to, right), eye = vec_sub(m->centre, vec_scale(to, CAMERA_DISTANCE * m->diagonal));
     for (int y = 0; y < size; y++)
@@ -56,7 +57,7 @@ RaySet rays_shadow(const Model *m, Arena *a, const RaySet *camera, const double 
     size_t n = 0;
     for (size_t i = 0; i < camera->n; i++) n += isfinite(t[i]);
     RaySet set = set_new(a, "shadow", n);
-    set.t_max = ARENA_ARRAY(a, double, n);
+    set.t_max = ARENA_ARRAY(a, double, n), set.is_coherent = true;
     for (size_t i = 0, k = 0; i < camera->n; i++) {
         if (!isfinite(t[i])) continue;
         Vec3 p = ray_at(&camera->rays[i], t[i]), to = vec_sub(m->light, p);

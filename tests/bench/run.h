@@ -13,7 +13,9 @@ typedef struct {
     double budget;
 } Options;
 
-typedef enum { IS_CERTAIN, IS_PAPER, IS_MESH_RMS, IS_MESH_P999, IS_GRID, IS_SISL, IS_OCCT, IS_OTHER } Kind;
+typedef enum {
+    IS_CERTAIN, IS_PAPER, IS_MESH_RMS, IS_MESH_P999, IS_GRID, IS_SISL, IS_OCCT, IS_EIGHTS, IS_MESH_EIGHTS, IS_OTHER
+} Kind;
 
 typedef struct {
     Kind kind;
@@ -34,6 +36,9 @@ typedef struct {
     int n_engines;
     char notes[1024];            /* what there is to say about the model */
 } Bench;
+
+/* The same engine as another, with its cost. */
+static inline bool is_in_eights(Kind k) { return k == IS_EIGHTS || k == IS_MESH_EIGHTS; }
 
 bool is_listed(const char *list, const char *name);
 void add_entry(Bench *b, Kind kind, const char *name, Engine *e);      /* e may be NULL */

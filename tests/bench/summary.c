@@ -11,7 +11,8 @@ typedef struct {
     char name[32];
     int n_surfaces;
     EngineCost cost;                  /* of `certain` */
-    double rays[MAX_SETS], cycles_per_test, newton_per_hit;
+    double rays[MAX_SETS], in_eights[MAX_SETS], cycles_per_test, newton_per_hit;
+    Ratios eights_ratio;              /* in eights, to the mesh in eights */
     Ratios ratio[MAX_KINDS];
 } Row;
 
@@ -20,9 +21,8 @@ static int n_rows;
 static const char *set_names[MAX_SETS];
 static char kind_names[MAX_KINDS][48];
 
-static Ratios ratios_of(const Bench *b, const Entry *e)
+static Ratios ratios_of(const Bench *b, const Entry *own, const Entry *e)
 {
-    const Entry *own = &b->list[0];
     Ratios r = { .preparation = e->engine->cost.prep_seconds / own->engine->cost.prep_seconds,
                  .memory = (double)e->engine->cost.held / (double)own->engine->cost.held };
     for (int k = 0; k < b->n_sets; k++)
@@ -40,11 +40,15 @@ void summary_add(const Bench *b)
     row->cycles_per_test = own->speed[0].cycles_per_test;
     row->newton_per_hit = own->speed[0].newton_per_hit;
     for (int k = 0; k < b->n_sets; k++) set_names[k] = b->sets[k].name, row->rays[k] = own->speed[k].rays_per_second;
+    const Entry *eights = NULL;
     for (int i = 1; i < b->n_engines; i++) {
         const Entry *e = &b->list[i];
         snprintf(kind_names[e->kind], sizeof kind_names[e->kind], "%s", e->name);
-        row->ratio[e->kind] = ratios_of(b, e);
+        row->ratio[e->kind] = ratios_of(b, own, e);
+        if (e->kind == IS_EIGHTS) eights = e;
+        if (e->kind == IS_MESH_EIGHTS && eights) row->eights_ratio = ratios_of(b, eights, e);
     }
+    for (int k = 0; k < b->n_sets && eights; k++) row->in_eights[k] = eights->speed[k].rays_per_second;
 }
 
 static void print_number(double x, double scale, int digits)
@@ -93,11 +97,34 @@ static void print_against(Kind kind)
     printf("\n");
 }
 
+/* Of rays that go in eights: their number, and how many times that of rays one by one; and of the mesh's in eights. */
+static void print_eights(void)
+{
+    printf("`certain`, eight rays together: millions a second (times as many as one by one; times as many as %s).\n\n| model |",
+           kind_names[IS_MESH_EIGHTS][0] ? kind_names[IS_MESH_EIGHTS] : "a mesh");
+    for (int k = 0; k < MAX_SETS && set_names[k]; k++) printf(" %s |", set_names[k]);
+    printf("\n|---|");
+    for (int k = 0; k < MAX_SETS && set_names[k]; k++) printf("---:|");
+    printf("\n");
+    for (int i = 0; i < n_rows; i++) {
+        const Row *r = &rows[i];
+        printf("| %s |", r->name);
+        for (int k = 0; k < MAX_SETS && set_names[k]; k++) {
+            printf(" %.2f (%.2f", r->in_eights[k] * 1e-6, r->in_eights[k] / r->rays[k]);
+            if (r->eights_ratio.set[k] > 0) printf("; %.2f", r->eights_ratio.set[k]);
+            printf(") |");
+        }
+        printf("\n");
+    }
+    printf("\n");
+}
+
 void print_summary(void)
 {
     if (n_rows < 2) return;
     printf("\n### All models\n\n");
     print_own();
-    for (Kind kind = IS_PAPER; kind < IS_OTHER; kind++)
+    print_eights();
+    for (Kind kind = IS_PAPER; kind < IS_EIGHTS; kind++)
         if (kind_names[kind][0]) print_against(kind);
 }

@@ -9,6 +9,7 @@ void print_preparation(const Bench *b)
            "|---|---:|---:|---:|---:|---:|\n");
     for (int i = 0; i < b->n_engines; i++) {
         const EngineCost *c = &b->list[i].engine->cost;
+        if (is_in_eights(b->list[i].kind)) continue;
         printf("| %s | ", b->list[i].name);
         if (c->n_triangles) printf("%zu | %.3f | ", c->n_triangles, c->mesh_seconds);
         else if (c->n_leaves) printf("%zu | | ", c->n_leaves);

@@ -1,6 +1,6 @@
-/* Eight rays at a tile, and then at its halves, those that it leaves in doubt; or each at a tile of its own. They go on alone
- * where that leads nowhere, and where the machine has no registers for eight. What a ray finds at a tile does not depend on
- * those beside it, but by rounding, where they ask for other tiles. */
+/* Eight rays at a tile, and then at its halves, those that it leaves in doubt; or each at a tile of its own. They go on
+ * alone where that leads nowhere, and where the machine has no registers for eight. What a ray finds at a tile does not
+ * depend on those beside it, but by rounding, where they ask for other tiles. */
 #include "nurbs/certain_bunch.h"
 
 #include "nurbs/certain.h"
@@ -21,6 +21,7 @@ typedef struct {
 
 typedef struct { const Tile *part; Lanes lanes; int level; } Doubt;
 
+static const Tile *tile_at(const Search *k, int i) { return bunch_at(k->items, i); }
 static uint32_t tile_number(const Search *k, int i) { return bunch_item(k->items, i); }
 
 /* ---- one by one ---- */
@@ -137,8 +138,6 @@ static void search_parts(Search *k, const Tile *tile, Lanes lanes)
 
 /* ---- each at a tile of its own ---- */
 
-static const Tile *tile_at(const Search *k, int i) { return k->items->at[i]; }
-
 static void take_root(Search *k, int i, const Root *root)
 {
     const Tile *tile = tile_at(k, i);
@@ -188,7 +187,7 @@ static Lanes search(Search *k, Lanes lanes)
     if (!v8d_is_one_register()) {
         while (lanes) {
             int i = lanes_next(&lanes);
-            go_alone(k, tile_at(k, k->items->is_one ? 0 : i), i);
+            go_alone(k, tile_at(k, i), i);
         }
     } else if (k->items->is_one) {
         search_parts(k, tile_at(k, 0), lanes);

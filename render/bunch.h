@@ -72,6 +72,7 @@ struct BunchItems {
 };
 
 static inline uint32_t bunch_item(const BunchItems *items, int i) { return items->item[items->is_one ? 0 : i]; }
+static inline const void *bunch_at(const BunchItems *items, int i) { return items->at[items->is_one ? 0 : i]; }
 
 /* Takes from *lanes those that ask for what the first of them asks for. */
 static inline Lanes lanes_together(const BunchItems *items, Lanes *lanes)

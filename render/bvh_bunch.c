@@ -103,8 +103,6 @@ typedef struct {
     Waiting stack[WIDE_MOST_WAITING];
 } Walk;
 
-typedef int V8i __attribute__((vector_size(32)));
-
 /* Row i of eight bits becomes column i, [War12] 7-3. */
 static inline uint64_t transposed(uint64_t x)
 {
@@ -115,8 +113,6 @@ static inline uint64_t transposed(uint64_t x)
     swap = (x ^ x >> 28) & 0x00000000F0F0F0F0;
     return x ^ swap ^ swap << 28;
 }
-
-ALWAYS_INLINE V8f v8f_select(V8i truth, V8f a, V8f b) { return (V8f)((truth & (V8i)a) | (~truth & (V8i)b)); }
 
 ALWAYS_INLINE float v8f_least(V8f a)
 {

@@ -1,4 +1,5 @@
-/* What the walks through a tree of sixteen-wide boxes have in common: of one ray (bvh_wide.c), of a bunch (bvh_bunch.c). */
+/* What the walks through a tree of sixteen-wide boxes have in common: of one ray (bvh_wide.c), of a bunch
+ * whose rays go together (bvh_bunch.c) or apart (bvh_apart.c). */
 #ifndef TRIMRAY_BVH_WALK_H
 #define TRIMRAY_BVH_WALK_H
 

@@ -19,7 +19,7 @@ typedef struct {
     uint32_t part[BUNCH_WIDTH];
 } Asked;
 
-/* Those of `lanes` that ask for an item of a part, rather than for the part itself, and for one that is not to be skipped. */
+/* Those of `lanes` that ask for an item of a part, not for the part itself, and not for one that is to be skipped. */
 static Lanes ask_for_items(const Search *s, const BunchItems *items, Lanes lanes, const Trace *t, Asked *out)
 {
     Lanes lent = 0;
@@ -46,9 +46,9 @@ static Lanes hit_lent(const ShapeType *lender, const BunchItems *items, RayBunch
     if (lender->hit_items_bunch) return lender->hit_items_bunch(items, b, lanes, best, t);
     Lanes hit = 0;
     while (lanes) {
-        int k = lanes_next(&lanes), i = items->is_one ? 0 : k;
+        int k = lanes_next(&lanes);
         bunch_begin(b, k, t);
-        if (lender->hit_item(items->at[i], items->item[i], &b->ray[k], &best[k], t)) hit |= 1u << k;
+        if (lender->hit_item(bunch_at(items, k), bunch_item(items, k), &b->ray[k], &best[k], t)) hit |= 1u << k;
         bunch_end(b, k, t);
     }
     return hit;
@@ -178,9 +178,9 @@ static Lanes lent_blocks(const ShapeType *lender, const BunchItems *items, RayBu
     if (lender->items_block_bunch) return lender->items_block_bunch(items, b, lanes, t_max, t);
     Lanes blocked = 0;
     while (lanes) {
-        int k = lanes_next(&lanes), i = items->is_one ? 0 : k;
+        int k = lanes_next(&lanes);
         bunch_begin(b, k, t);
-        if (lender->item_blocks(items->at[i], items->item[i], &b->ray[k], t_max[k], t)) blocked |= 1u << k;
+        if (lender->item_blocks(bunch_at(items, k), bunch_item(items, k), &b->ray[k], t_max[k], t)) blocked |= 1u << k;
         bunch_end(b, k, t);
     }
     return blocked;

@@ -50,6 +50,7 @@ ALWAYS_INLINE V4 v4_max(V4 a, V4 b) { return -v4_min(-a, -b); }
 
 /* Eight floats, eight doubles made of them, and what comparisons of them give. */
 typedef float V8f __attribute__((vector_size(32)));
+typedef int V8i __attribute__((vector_size(32)));
 typedef float V8fUnaligned __attribute__((vector_size(32), aligned(4), may_alias));
 typedef signed char V8c __attribute__((vector_size(8)));
 typedef double V8d __attribute__((vector_size(64)));
@@ -61,7 +62,6 @@ ALWAYS_INLINE V8d v8d_load(const float *p) { return __builtin_convertvector(v8f_
 /* As integers: of eight equal floats gcc 12 makes six instructions in a function that is compiled for several machines. */
 ALWAYS_INLINE V8f v8f_splat(float x)
 {
-    typedef int V8i __attribute__((vector_size(32)));
     int bits;
     memcpy(&bits, &x, sizeof bits);
     return (V8f)(V8i){ bits, bits, bits, bits, bits, bits, bits, bits };
@@ -114,6 +114,7 @@ ALWAYS_INLINE V8l v8d_less(V8d a, V8d b)
     return out;
 }
 
+ALWAYS_INLINE V8f v8f_select(V8i truth, V8f a, V8f b) { return (V8f)((truth & (V8i)a) | (~truth & (V8i)b)); }
 ALWAYS_INLINE V8d v8d_select(V8l truth, V8d a, V8d b) { return (V8d)((truth & (V8l)a) | (~truth & (V8l)b)); }
 
 /* If one is NaN, the result is b, as double_min and double_max have it. (Here a loop is not always made one instruction, and

@@ -154,11 +154,23 @@ static void take_root(Search *k, int i, const Root *root)
     k->b->lane[i].root = (RayRoot){ p, root->s, root->t, k->b->lane[i].seed };
 }
 
+/* Rays at tiles with poles, which have proofs of their own (pole_cone.h), go alone; the others. */
+static Lanes leave_poles(Search *k, Lanes lanes)
+{
+    Lanes others = 0;
+    while (lanes) {
+        int i = lanes_next(&lanes);
+        if (tile_at(k, i)->cone) go_alone(k, tile_at(k, i), i);
+        else others |= 1u << i;
+    }
+    return others;
+}
+
 EVERY_X86
 static void search_each(Search *k, Lanes lanes)
 {
     bunch_use_frames(k->b);
-    lanes &= k->b->frames.finite;
+    lanes = leave_poles(k, lanes & k->b->frames.finite);
     if (!lanes) return;
     const Tile *tiles[BUNCH_WIDTH], *any = tile_at(k, __builtin_ctz(lanes));
     for (int i = 0; i < BUNCH_WIDTH; i++) tiles[i] = lanes >> i & 1 ? tile_at(k, i) : any;

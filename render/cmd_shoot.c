@@ -2,6 +2,7 @@
 #include "render/commands.h"
 #include "render/files.h"
 #include "render/hash.h"
+#include "render/hit.h"
 #include "render/shot.h"
 
 #include <errno.h>

@@ -1,6 +1,8 @@
 /* Lists of interiors: POV-Ray's rules for entering, leaving and overlapping. */
 #include "render/media.h"
 
+#include "render/hit.h"
+
 #include <string.h>
 
 const Medium media_of_camera = { 0 };

@@ -1,6 +1,6 @@
 /* Objects: the nodes that carry placement and appearance. A ray is taken into the space of the child by the inverse of the
  * placement, its direction not normalized, so that t means the same on both sides; on the way out of a hit each object adds
- * itself to the hit's chain. What a hit looks like is found along that chain, innermost first. */
+ * itself to the hit's chain. */
 #include "render/object.h"
 
 #include "render/bunch.h"
@@ -16,14 +16,6 @@ static Box object_bounds(const Shape *shape)
     const Object *o = (const Object *)shape;
     Box b = shape_bounds(o->child);
     return o->is_placed ? xform_box(&o->placement, b) : b;
-}
-
-/* r itself, or what it is within o, in `room`. */
-static const Ray *ray_within(const Object *o, const Ray *r, Ray *room)
-{
-    if (!o->is_placed) return r;
-    *room = (Ray){ xform_unpoint(&o->placement, r->origin), xform_unvector(&o->placement, r->dir), r->t_min };
-    return room;
 }
 
 /* At most by how much a map stretches a vector: the square root of the largest row sum times the largest column sum
@@ -351,68 +343,4 @@ unsigned object_looks(Object *o)
     if (o->no_shadow) looks |= LOOKS_NO_SHADOW;
     o->is_even = o->texture && texture_is_even(o->texture) && (!o->interior_texture || texture_is_even(o->interior_texture));
     return o->looks = looks | LOOKS_KNOWN;
-}
-
-/* ---- the appearance of a hit ---- */
-
-const Interior *hit_interior(const Hit *h)
-{
-    for (int i = 0; i < h->n_objects; i++)
-        if (h->objects[i]->interior) return h->objects[i]->interior;
-    return NULL;
-}
-
-const Object *hit_innermost(const Hit *h) { return h->n_objects > 0 ? h->objects[0] : NULL; }
-
-bool hit_has_flag_no_shadow(const Hit *h)
-{
-    for (int i = 0; i < h->n_objects; i++)
-        if (h->objects[i]->no_shadow) return true;
-    return false;
-}
-
-Vec3 hit_texture_point(const Hit *h, Vec3 world)
-{
-    const Object *textured = hit_textured_object(h);
-    if (!textured) return world;
-    for (int i = h->n_objects - 1; h->objects[i] != textured; i--)
-        if (h->objects[i]->is_placed) world = xform_unpoint(&h->objects[i]->placement, world);
-    return xform_unpoint(&textured->texture_space, world);
-}
-
-static void place_normals(const Object *o, Attributes *at)
-{
-    bool is_smooth = !vec_is_same(at->normal, at->shading_normal);
-    at->normal = vec_normalize(xform_normal(&o->placement, at->normal));
-    at->shading_normal = is_smooth ? vec_normalize(xform_normal(&o->placement, at->shading_normal)) : at->normal;
-}
-
-static void find_attributes(const Hit *h, const Ray *world, Attributes *out)
-{
-    Ray room;
-    const Ray *r = world;
-    for (int i = h->n_objects - 1; i >= 0; i--) r = ray_within(h->objects[i], r, &room);
-    Vec3 p = ray_at(world, h->t);
-    out->uv = vec2(p.x, p.y);
-    h->shape->type->attributes(h->shape, r, h, out);
-    bool is_inverse = false;
-    for (int i = 0; i < h->n_objects; i++) {
-        is_inverse ^= h->objects[i]->is_inverse;
-        if (h->objects[i]->is_placed) place_normals(h->objects[i], out);
-    }
-    if (!is_inverse) return;
-    out->normal = vec_neg(out->normal);
-    out->shading_normal = vec_neg(out->shading_normal);
-}
-
-void hit_attributes(const Hit *h, const Ray *world, Attributes *out)
-{
-    out->is_without_uv = false;
-    find_attributes(h, world, out);
-}
-
-void hit_normals(const Hit *h, const Ray *world, Attributes *out)
-{
-    out->is_without_uv = true;
-    find_attributes(h, world, out);
 }

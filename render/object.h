@@ -56,23 +56,12 @@ enum {
 };
 unsigned object_looks(Object *o);
 
-/* The appearance of a hit: the innermost object on the way that has what is asked for. */
-static inline const Object *hit_textured_object(const Hit *h)   /* NULL: no texture anywhere: the default texture */
+/* r itself, or what it is within o, in `room`. */
+static inline const Ray *ray_within(const Object *o, const Ray *r, Ray *room)
 {
-    for (int i = 0; i < h->n_objects; i++)
-        if (h->objects[i]->texture) return h->objects[i];
-    return NULL;
+    if (!o->is_placed) return r;
+    *room = (Ray){ xform_unpoint(&o->placement, r->origin), xform_unvector(&o->placement, r->dir), r->t_min };
+    return room;
 }
-const Interior *hit_interior(const Hit *h);          /* NULL: none */
-const Object *hit_innermost(const Hit *h);
-bool hit_has_flag_no_shadow(const Hit *h);
-
-/* The point where the texture of hit_textured_object is evaluated, from the point in the world. */
-Vec3 hit_texture_point(const Hit *h, Vec3 world);
-
-/* The ray and the attributes through all placements: what the primitive says, in world space. The normals are unit, turned
- * over for inverse objects, and not yet turned towards the viewer. */
-void hit_attributes(const Hit *h, const Ray *world, Attributes *out);
-void hit_normals(const Hit *h, const Ray *world, Attributes *out);   /* the same without uv */
 
 #endif

@@ -2,6 +2,7 @@
 #include "render/report.h"
 
 #include "render/hash.h"
+#include "render/hit.h"
 
 #include <stdlib.h>
 

@@ -2,6 +2,7 @@
 #include "render/scene.h"
 
 #include "render/bunch.h"
+#include "render/hit.h"
 #include "render/hit_list.h"
 #include "render/shape_tree.h"
 

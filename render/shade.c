@@ -5,6 +5,7 @@
 #include "render/shade.h"
 
 #include "render/gather.h"
+#include "render/hit.h"
 #include "render/sky.h"
 
 /* The lowest quality (+Q) at which each thing is done; more is in gather.c. */

@@ -1,6 +1,7 @@
 /* Shadow rays: towards points, and towards the samples of area lights. */
 #include "render/shadow.h"
 
+#include "render/hit.h"
 #include "render/hit_list.h"
 
 static Rgb through_map(const Surface *blocker, Rgb light);

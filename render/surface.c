@@ -2,6 +2,8 @@
  * against self-intersection is hit_offset's (ray.h): by the hit's own error, along the surface's own normal. */
 #include "render/surface.h"
 
+#include "render/hit.h"
+
 void surface_at(const Scene *s, const Ray *r, const Hit *h, Surface *out)
 {
     Attributes a;

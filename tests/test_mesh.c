@@ -2,6 +2,7 @@
  * edges, where nothing may slip through and nothing may count twice. */
 #include "tests/solids.h"
 
+#include "render/hit.h"
 #include "render/hit_list.h"
 #include "render/mesh.h"
 

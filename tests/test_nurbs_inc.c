@@ -1,6 +1,7 @@
 /* The macros of scenes/nurbs.inc: what has a closed form, against the plain primitive along random rays; what interpolates,
  * against what it must pass through. */
 #include "nurbs/nurbs.h"
+#include "render/hit.h"
 #include "tests/scene_text.h"
 
 #define RAYS 2000

@@ -1,6 +1,6 @@
 #include "tests/solids.h"
 
-#include "render/object.h"
+#include "render/hit.h"
 #include "render/shape_tree.h"
 
 #include <stdbool.h>

@@ -1,5 +1,6 @@
 #include "tests/test.h"
 
+#include "render/hit.h"
 #include "render/hit_list.h"
 #include "render/scene.h"
 

@@ -2,6 +2,7 @@
  * them, and small scenes must build what POV-Ray's rules, or plain geometry, say. */
 #include "nurbs/nurbs.h"
 #include "parser/parser.h"
+#include "render/hit.h"
 #include "tests/test.h"
 
 #include <glob.h>
